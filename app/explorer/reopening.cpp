@@ -2,8 +2,6 @@
 
 #include "app/ui/model/notice.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <variant>
 
@@ -50,10 +48,9 @@ void Reopening::begin() {
         coverShaders(session_);
     if (!beginning_.hungFor)
         return;
-    notice_ =
-        fmt::format("The driver did not finish a picture within {:g} s. The reference renderer draws now; "
-                    "choose another one to try again.",
-                    *beginning_.hungFor);
+    notice_ = {"The driver did not finish a picture within {0:g} s. The reference renderer draws now; choose "
+               "another one to try again.",
+               *beginning_.hungFor};
     ui::say(session_, notice_);
     documents_ = session_.documents;
 }
@@ -70,7 +67,7 @@ void Reopening::keepNotice() {
     if (session_.look.notice.text.empty() && session_.documents != documents_)
         ui::say(session_, notice_);
     if (session_.look.notice.text != notice_)
-        notice_.clear(); // dismissed, or there is another one
+        notice_ = {}; // dismissed, or there is another one
     documents_ = session_.documents;
 }
 

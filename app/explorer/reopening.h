@@ -27,7 +27,7 @@ private:
     const stage::Graphics& graphics_;
     const Beginning& beginning_;
     bool hasActed_ = false;     ///< the user has pressed something
-    std::string notice_;        ///< empty: none, or no longer needed
+    Sentence notice_;           ///< empty: none, or no longer needed
     std::size_t documents_ = 0; ///< as Session::documents when the notice was shown
 };
 

@@ -3,7 +3,6 @@
 #include "texplorer/base/bytes.h"
 
 #include <GL/osmesa.h>
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

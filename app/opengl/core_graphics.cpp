@@ -52,11 +52,14 @@ std::shared_ptr<const Image> pictureOf(const LevelsRequest& request, const Prepa
 CoreGraphics::CoreGraphics()
     : ContextGraphics(coreBackend)
     , capabilities_(render::namedCapabilities()) {
-    const std::string profile =
-        "the driver has OpenGL " + capabilities_.version + " as a core profile alone, ";
-    offered_.withhold(RendererKind::Fixed, profile + "without fixed functions");
+    const ProperName version{capabilities_.version};
+    offered_.withhold(
+        RendererKind::Fixed,
+        Sentence("the driver has OpenGL {0} as a core profile alone, without fixed functions", version));
     offered_.withhold(RendererKind::Shader,
-                      profile + "without the texture formats of the compatibility profile");
+                      Sentence("the driver has OpenGL {0} as a core profile alone, without the texture "
+                               "formats of the compatibility profile",
+                               version));
 }
 
 Error CoreGraphics::lack(RendererKind renderer) const {

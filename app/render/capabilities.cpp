@@ -4,7 +4,6 @@
 #include "app/render/gl_functions.h"
 
 #include <GL/glew.h>
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -77,30 +76,30 @@ view::Capabilities namedCapabilities() {
 }
 
 Result<view::Capabilities> loadCapabilities() {
-    const auto needs = [](const std::string& but) {
-        return fmt::format("Texplorer needs OpenGL 2.1 with framebuffer objects; {}", but);
+    const auto needs = [](const Sentence& but) {
+        return Sentence("Texplorer needs OpenGL 2.1 with framebuffer objects; {0}", but);
     };
     if (const GLenum status = glewInit(); !functionsAreLoaded(status))
         return fail(ErrorCode::Driver,
-                    needs(fmt::format("no functions of OpenGL could be loaded: {}",
-                                      reinterpret_cast<const char*>(glewGetErrorString(status)))));
+                    needs(Sentence("no functions of OpenGL could be loaded: {0}",
+                                   reinterpret_cast<const char*>(glewGetErrorString(status)))));
     static_cast<void>(GlErrors().check("glewInit")); // GLEW queries features that a core profile has removed
 
     view::Capabilities capabilities = namedCapabilities();
-    const std::string offer =
-        fmt::format("{} offers version {}", capabilities.renderer, capabilities.version);
+    const Sentence offer("{0} offers version {1}", ProperName{capabilities.renderer},
+                         ProperName{capabilities.version});
     if (!has(neededVersion))
         return fail(ErrorCode::Unsupported, needs(offer));
     if (std::ranges::none_of(neededFramebuffers, has))
-        return fail(ErrorCode::Unsupported,
-                    needs(fmt::format("{} without GL_ARB_framebuffer_object", offer)));
+        return fail(ErrorCode::Unsupported, needs(Sentence("{0} without GL_ARB_framebuffer_object", offer)));
 
     const std::span<const GlFunction> functions = glFunctions();
     const auto missing = std::ranges::find_if(
         functions, [](const GlFunction& each) { return each.needed && !each.isLoaded(); });
     if (missing != functions.end())
-        return fail(ErrorCode::Unsupported, needs(fmt::format("{} without the function {} ({})", offer,
-                                                              missing->name, missing->source)));
+        return fail(ErrorCode::Unsupported,
+                    needs(Sentence("{0} without the function {1} ({2})", offer, ProperName{missing->name},
+                                   ProperName{missing->source})));
 
     capabilities.s3tc = has(s3tc);
     capabilities.rgtc = std::ranges::any_of(rgtc, has);
@@ -111,7 +110,7 @@ Result<view::Capabilities> loadCapabilities() {
     capabilities.textureUnits = integer(GL_MAX_TEXTURE_UNITS);
     if (!GlErrors().check("glGetIntegerv") || capabilities.textureUnits < 1 || !hasFixedFunctions())
         return fail(ErrorCode::Unsupported,
-                    needs(fmt::format("{} without fixed functions (a core profile)", offer)));
+                    needs(Sentence("{0} without fixed functions (a core profile)", offer)));
     capabilities.textureBorders = keepsBorders();
     if (has(anisotropy))
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &capabilities.maxAnisotropy);

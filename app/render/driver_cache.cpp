@@ -4,8 +4,6 @@
 #include "texplorer/files/file_kind.h"
 #include "texplorer/files/user_folder.h"
 
-#include <fmt/core.h>
-
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>

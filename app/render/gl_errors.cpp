@@ -1,10 +1,8 @@
 #include "app/render/gl_errors.h"
 
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/gl/error.h"
 
 #include <GL/glew.h>
-#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -16,10 +14,17 @@ namespace {
 // or with a lost one, glGetError may return errors for ever.
 constexpr int maxFlags = 16;
 
-std::string nameOf(unsigned error) {
+Sentence nameOf(unsigned error) {
     if (const EnumRow* found = findRow(glErrorRows, error))
-        return fmt::format("{} ({})", found->name, found->help);
-    return fmt::format("error {}", error);
+        return Sentence("{0} ({1})", ProperName{found->name}, found->help);
+    return Sentence("error {0}", error);
+}
+
+/// What follows "textures[0]: " stays one sentence.
+Sentence placed(const Sentence& where, const Sentence& what) {
+    return where.key() == "{0}: {1}"
+               ? Sentence("{0}: {1}", where.arguments()[0], placed(where.arguments()[1], what))
+               : Sentence("{0}: {1}", where, what);
 }
 
 } // namespace
@@ -28,31 +33,31 @@ unsigned currentGlError() {
     return glGetError();
 }
 
-bool GlErrors::check(std::string_view where, unsigned (*getError)()) {
-    return check([&] { return std::string(where); }, getError);
+bool GlErrors::check(const Sentence& where, unsigned (*getError)()) {
+    return check([&] { return where; }, getError);
 }
 
-bool GlErrors::check(const std::function<std::string()>& where, unsigned (*getError)()) {
+bool GlErrors::check(const std::function<Sentence()>& where, unsigned (*getError)()) {
     bool clean = true;
     for (int flag = 0; flag < maxFlags; ++flag) {
         const unsigned error = getError();
         if (error == GL_NO_ERROR)
             break;
         clean = false;
-        add(fmt::format("{}: {}", where(), nameOf(error)));
+        add(placed(where(), nameOf(error)));
         if (error == static_cast<unsigned>(GlError::ContextLost))
             break;
     }
     return clean;
 }
 
-void GlErrors::add(std::string sentence) {
+void GlErrors::add(Sentence sentence) {
     if (std::ranges::find(sentences_, sentence) == sentences_.end())
         sentences_.push_back(std::move(sentence));
 }
 
-void GlErrors::add(const std::vector<std::string>& sentences) {
-    for (const std::string& sentence : sentences)
+void GlErrors::add(const std::vector<Sentence>& sentences) {
+    for (const Sentence& sentence : sentences)
         add(sentence);
 }
 

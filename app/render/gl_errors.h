@@ -1,8 +1,8 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
+
 #include <functional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace texplorer::render {
@@ -16,17 +16,17 @@ public:
     /// Collects the GL errors since the last check. `where` names the call or the group of calls:
     /// "textures[0]: glTexImage2D" gives "textures[0]: glTexImage2D: GL_INVALID_VALUE (A number is out of
     /// range.)". Returns true if there was no error. Returns even if a driver reports errors for ever.
-    bool check(std::string_view where, unsigned (*getError)() = currentGlError);
+    bool check(const Sentence& where, unsigned (*getError)() = currentGlError);
     /// The same, but computes the name only if there was an error.
-    bool check(const std::function<std::string()>& where, unsigned (*getError)() = currentGlError);
+    bool check(const std::function<Sentence()>& where, unsigned (*getError)() = currentGlError);
 
-    void add(std::string sentence);
-    void add(const std::vector<std::string>& sentences);
+    void add(Sentence sentence);
+    void add(const std::vector<Sentence>& sentences);
 
-    [[nodiscard]] const std::vector<std::string>& sentences() const { return sentences_; }
+    [[nodiscard]] const std::vector<Sentence>& sentences() const { return sentences_; }
 
 private:
-    std::vector<std::string> sentences_;
+    std::vector<Sentence> sentences_;
 };
 
 } // namespace texplorer::render

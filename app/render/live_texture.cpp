@@ -28,7 +28,7 @@ std::string extents(const Surface& surface, Target target) {
 }
 
 /// Why a driver cannot take these levels unchanged; empty: it can.
-std::string lackingFormat(const TextureLevels& levels, const view::Capabilities& capabilities) {
+Sentence lackingFormat(const TextureLevels& levels, const view::Capabilities& capabilities) {
     std::optional<BlockFormat> format = levels.driverFormat;
     if (const auto* blocks = std::get_if<BlockImage>(&*levels.levels.front().surface))
         format = blocks->format;
@@ -36,8 +36,9 @@ std::string lackingFormat(const TextureLevels& levels, const view::Capabilities&
         return {};
     const EnumRow& row = rowOf(*format);
     return row.since.starts_with("GL_")
-               ? fmt::format("the driver has no {} ({}); uploaded decompressed", row.name, row.since)
-               : fmt::format("the driver has no {}; uploaded decompressed", row.name);
+               ? Sentence("the driver has no {0} ({1}); uploaded decompressed", ProperName{row.name},
+                          ProperName{row.since})
+               : Sentence("the driver has no {0}; uploaded decompressed", ProperName{row.name});
 }
 
 } // namespace
@@ -72,10 +73,10 @@ void LiveTexture::follow(const LevelsRequest& request, const view::Capabilities*
 }
 
 /// Shows nothing and reports the reason.
-void LiveTexture::refuse(const LevelsRequest& request, std::string_view where, const std::string& sentence) {
+void LiveTexture::refuse(const LevelsRequest& request, std::string_view where, const Sentence& sentence) {
     *this = LiveTexture();
     shown_ = request;
-    errors_.add(fmt::format("{}: {}; drawn without it", where, sentence));
+    errors_.add(Sentence("{0}: {1}", ProperName{where}, Sentence("{0}; drawn without it", sentence)));
 }
 
 void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const PreparedLevels> levels,
@@ -86,11 +87,12 @@ void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const Prep
             return refuse(request, where, describe(error));
         cancelled_ = true;
         cancelledErrors_ = {};
-        return cancelledErrors_.add(fmt::format("{}: {}; what was drawn before stays", where, error.message));
+        return cancelledErrors_.add(Sentence("{0}: {1}", ProperName{where},
+                                             Sentence("{0}; what was drawn before stays", error.message)));
     }
     GlErrors errors;
-    for (const std::string& note : (*levels)->notes)
-        errors.add(fmt::format("{}: {}", where, note));
+    for (const Sentence& note : (*levels)->notes)
+        errors.add(Sentence("{0}: {1}", ProperName{where}, note));
     if (capabilities) {
         const Surface& base = (*levels)->levels.front().surface;
         const int limit = request.target == Target::Texture3D ? capabilities->max3DTextureSize
@@ -98,19 +100,20 @@ void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const Prep
                                                               : capabilities->maxTextureSize;
         if (std::max({widthOf(base), heightOf(base), depthOf(base)}) - 2 * (*levels)->border > limit)
             return refuse(request, where,
-                          fmt::format("{} texels exceed the driver's {} for {}",
-                                      extents(base, request.target), limit, rowOf(request.target).name));
+                          Sentence("{0} texels exceed the driver's {1} for {2}",
+                                   ProperName{extents(base, request.target)}, limit,
+                                   ProperName{rowOf(request.target).name}));
         const int rim = 2 * (*levels)->border;
         if (!capabilities->nonPowerOfTwo &&
             !arePowersOfTwo(widthOf(base) - rim, std::max(1, heightOf(base) - rim),
                             std::max(1, depthOf(base) - rim)))
             return refuse(
                 request, where,
-                fmt::format(
-                    "{} texels: the driver supports powers of two only (no GL_ARB_texture_non_power_of_two)",
-                    extents(base, request.target)));
-        if (const std::string lack = lackingFormat(**levels, *capabilities); !lack.empty()) {
-            errors.add(fmt::format("{}: {}", where, lack));
+                Sentence(
+                    "{0} texels: the driver supports powers of two only (no GL_ARB_texture_non_power_of_two)",
+                    ProperName{extents(base, request.target)}));
+        if (const Sentence lack = lackingFormat(**levels, *capabilities); !lack.empty()) {
+            errors.add(Sentence("{0}: {1}", ProperName{where}, lack));
             TextureLevels pixels = **levels;
             decompress(pixels);
             levels = std::make_shared<const PreparedLevels>(std::move(pixels));

@@ -62,7 +62,7 @@ private:
 
     void begin(const LevelsRequest& request, std::shared_ptr<const PreparedLevels> levels,
                const view::Capabilities* capabilities, std::string_view where);
-    void refuse(const LevelsRequest& request, std::string_view where, const std::string& sentence);
+    void refuse(const LevelsRequest& request, std::string_view where, const Sentence& sentence);
     void finish();
     void giveBack(LevelsSource* source);
 

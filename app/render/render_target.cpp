@@ -2,8 +2,6 @@
 
 #include "app/render/gl_errors.h"
 
-#include <fmt/core.h>
-
 #include <array>
 #include <string>
 
@@ -54,7 +52,7 @@ Result<void> RenderTarget::resize(view::Size size) {
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
         status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     }
-    const std::string what = fmt::format("a picture of {} pixels with 24 bits of depth", asText(size));
+    const Sentence what("a picture of {0} pixels with 24 bits of depth", ProperName{asText(size)});
     if (!errors.check("glTexImage2D, glRenderbufferStorage"))
         return fail(ErrorCode::Driver,
                     Sentence("the driver can't create {0}: {1}", what, errors.sentences().front()));

@@ -7,7 +7,7 @@
 #include "app/render/render_target.h"
 #include "app/render/state_guard.h"
 #include "app/render/texture_cache.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/params/scene_at.h"
 
@@ -162,7 +162,7 @@ void SceneRenderer::State::applySeamlessCubeMap(const Pass& pass, const std::str
     const bool matters = std::ranges::any_of(
         pass.units, [](const Unit& unit) { return unit.enabled && unit.target == Target::CubeMap; });
     if (pass.seamlessCubeMap && matters)
-        errors.add(fmt::format("{}: the driver has no seamless cube maps; drawn without", where));
+        errors.add(Sentence("{0}: the driver has no seamless cube maps; drawn without", ProperName{where}));
 }
 
 void SceneRenderer::State::remember(const Scene& scene, double time, view::Size size) {
@@ -190,13 +190,14 @@ BoundTexture SceneRenderer::State::textureOf(const TextureUse& frame, const Unit
                                              const std::string& where, const ImageSource& images) {
     const std::size_t count = frame.scene.textures.size();
     if (unitIndex >= capabilities.textureUnits) {
-        errors.add(fmt::format("{}: the driver has {}; drawn without this one", where,
-                               countOf(capabilities.textureUnits, "texture unit")));
+        errors.add(
+            Sentence("{0}: the driver has {1}; drawn without this one", ProperName{where},
+                     Sentence::plural("{0} texture unit", "{0} texture units", capabilities.textureUnits)));
         return {};
     }
     if (unit.texture < 0 || static_cast<std::size_t>(unit.texture) >= count) {
-        errors.add(fmt::format("{}: there is no texture {}, the scene has {}; drawn without it", where,
-                               unit.texture, count));
+        errors.add(Sentence("{0}: there is no texture {1}, the scene has {2}; drawn without it",
+                            ProperName{where}, unit.texture, count));
         return {};
     }
     // Preparing a texture binds it: do it on its own unit, or it would replace another texture.

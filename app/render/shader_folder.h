@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/files/file_watch.h"
 #include "texplorer/glsl/shader_pieces.h"
 
@@ -23,14 +24,14 @@ public:
 
     /// The current files; or the last ones that could be read, or none, with the reason in `problem`.
     [[nodiscard]] const std::optional<glsl::ShaderPieces>& pieces() const { return pieces_; }
-    [[nodiscard]] const std::string& problem() const { return problem_; }
+    [[nodiscard]] const Sentence& problem() const { return problem_; }
 
 private:
     std::filesystem::path folder_;
     FileWatch watch_;
     bool isRead_ = false;
     std::optional<glsl::ShaderPieces> pieces_;
-    std::string problem_;
+    Sentence problem_;
 };
 
 } // namespace texplorer::render

@@ -112,8 +112,8 @@ public:
             ++revision_;
         }
         if (!folder_->problem().empty())
-            errors.add(newest_ ? fmt::format("{}; the last readable shaders stay", folder_->problem())
-                               : fmt::format("{}; drawn with Texplorer's own shaders", folder_->problem()));
+            errors.add(newest_ ? Sentence("{0}; the last readable shaders stay", folder_->problem())
+                               : Sentence("{0}; drawn with Texplorer's own shaders", folder_->problem()));
     }
 
     [[nodiscard]] bool beginPass(const Scene& scene, std::size_t pass, const BoundTextures& textures,
@@ -193,7 +193,7 @@ private:
             if (log.empty())
                 log = found;
             for (const view::ShaderMessage& message : found)
-                errors.add(fmt::format("{}: {}", where, message.sentence));
+                errors.add(Sentence("{0}: {1}", ProperName{where}, message.sentence));
         }
         if (shown && shown->log != log)
             shown = std::make_shared<const view::PassShader>(view::PassShader{shown->source, std::move(log)});
@@ -247,8 +247,8 @@ view::OfferedRenderers offeredRenderers(const view::Capabilities& capabilities) 
             RendererKind::Shader,
             GLEW_VERSION_3_3
                 ? "the shader renderer needs OpenGL 3.3 with GLSL 3.30, which --pretend disables"
-                : fmt::format("the shader renderer needs OpenGL 3.3 with GLSL 3.30, the driver has OpenGL {}",
-                              capabilities.version));
+                : Sentence("the shader renderer needs OpenGL 3.3 with GLSL 3.30, the driver has OpenGL {0}",
+                           ProperName{capabilities.version}));
     return offered;
 }
 

@@ -27,9 +27,10 @@ BoundTexture TextureCache::prepare(const TextureUse& use, Target target, const I
     const std::string where = fmt::format("textures[{}]", index);
     TexturePictures pictures = images.picturesOf(texture);
     if (!pictures.base || !hasPixels(*pictures.base)) {
-        errors.add(fmt::format("{}: {}; drawn without it", where,
-                               texture.file.empty() ? "no file is chosen"
-                                                    : fmt::format("{} is not loaded", texture.file)));
+        const Sentence reason = texture.file.empty()
+                                    ? Sentence("no file is chosen")
+                                    : Sentence("{0} is not loaded", ProperName{texture.file});
+        errors.add(Sentence("{0}: {1}", ProperName{where}, Sentence("{0}; drawn without it", reason)));
         return {};
     }
 
@@ -43,14 +44,15 @@ BoundTexture TextureCache::prepare(const TextureUse& use, Target target, const I
     if (slot.object().name() == 0)
         return {};
     if (texture.maxAnisotropy > capabilities_.maxAnisotropy)
-        errors.add(fmt::format("{}: an anisotropy of {} exceeds the driver's {}; drawn with that", where,
-                               formatNumber(texture.maxAnisotropy),
-                               formatNumber(capabilities_.maxAnisotropy)));
+        errors.add(Sentence("{0}: {1}", ProperName{where},
+                            Sentence("an anisotropy of {0} exceeds the driver's {1}; drawn with that",
+                                     ProperName{formatNumber(texture.maxAnisotropy)},
+                                     ProperName{formatNumber(capabilities_.maxAnisotropy)})));
     const AppliedTexture applied = appliedTexture(texture, slot.shape(), slot.lastLevel(), facts_, &use);
     if (!applied.completeness.complete())
         return {};
     for (const std::string_view sentence : applied.heldBack)
-        errors.add(fmt::format("{}: {}", where, sentence));
+        errors.add(Sentence("{0}: {1}", ProperName{where}, sentence));
     slot.object().apply(applied.texture, capabilities_.maxAnisotropy, where, errors);
     const bool hasDepths = isDepth(slot.shape().internalFormat);
     return {slot.object().name(),

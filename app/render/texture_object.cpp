@@ -1,6 +1,5 @@
 #include "app/render/texture_object.h"
 
-#include <fmt/core.h>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -227,7 +226,8 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
                 ++cursor.level;
             }
         }
-        errors.check(fmt::format("{}: {} level {}", where, call, level.number));
+        errors.check(Sentence("{0}: {1}", ProperName{where},
+                              Sentence("{0} level {1}", ProperName{call}, level.number)));
     }
     return cursor.level == levels.levels.size();
 }
@@ -256,7 +256,7 @@ void TextureObject::apply(const Texture& texture, float maxAnisotropy, std::stri
     if (maxAnisotropy > 1) // otherwise the driver does not know the parameter
         glTexParameterf(target_, GL_TEXTURE_MAX_ANISOTROPY_EXT,
                         std::clamp(texture.maxAnisotropy, 1.0F, maxAnisotropy));
-    applyErrors_.check(fmt::format("{}: glTexParameter", where));
+    applyErrors_.check(Sentence("{0}: {1}", ProperName{where}, ProperName{"glTexParameter"}));
     errors.add(applyErrors_.sentences());
 }
 

@@ -12,8 +12,6 @@
 #include "texplorer/files/file_io.h"
 #include "texplorer/scene/params/json.h"
 
-#include <fmt/core.h>
-
 #include <memory>
 #include <utility>
 
@@ -54,7 +52,7 @@ void saveOrder(ui::Session& session, const FileRequests& host, const Result<ui::
     Result<ui::MadeFile> made =
         order->make({.threads = processorThreads(), .report = [](float /*share*/) {}});
     if (!made)
-        return ui::say(session, fmt::format(fmt::runtime(order->failure), describe(made.error())));
+        return ui::say(session, Sentence(order->failure, describe(made.error())));
     host.save({{order->file.string(), std::move(made->bytes)}});
     if (!made->remark.empty())
         ui::say(session, made->remark);

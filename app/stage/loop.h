@@ -47,7 +47,7 @@ public:
     [[nodiscard]] Step step(double now, const std::vector<Event>& events);
 
     /// The renderers' problems with the scene in the last frame.
-    [[nodiscard]] const std::vector<std::string>& problems() const { return stage_.problems(); }
+    [[nodiscard]] const std::vector<Sentence>& problems() const { return stage_.problems(); }
 
 private:
     void receive(const Event& event);

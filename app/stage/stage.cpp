@@ -12,7 +12,6 @@
 #include "app/ui/window/layout.h"
 #include "texplorer/base/sentence_format.h"
 
-#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -64,9 +63,9 @@ public:
     HostedPanels& operator=(const HostedPanels&) = delete;
 
     /// Returns sentences about missing things, such as letters that no font has.
-    [[nodiscard]] std::string setLook(float scale, const ui::Settings& settings, ui::Language system) {
+    [[nodiscard]] Sentence setLook(float scale, const ui::Settings& settings, ui::Language system) {
         const ui::Language language = settings.language == ui::Language::System ? system : settings.language;
-        std::string problem;
+        Sentence problem;
         const bool translated = language != language_;
         if (translated)
             problem = setLanguage(language);
@@ -91,7 +90,7 @@ public:
     }
 
 private:
-    std::string setLanguage(ui::Language language) {
+    Sentence setLanguage(ui::Language language) {
         language_ = language;
         ui::useCatalogue(nullptr);
         catalogue_.reset();
@@ -100,7 +99,7 @@ private:
                    "fonts-wqy-microhei and restart Texplorer.";
         Result<std::unique_ptr<const ui::Catalogue>> catalogue = ui::catalogueOf(language);
         if (!catalogue)
-            return fmt::format("The window stays in English: {}.", describe(catalogue.error()));
+            return {"The window stays in English: {0}.", describe(catalogue.error())};
         catalogue_ = *std::move(catalogue);
         return {};
     }
@@ -125,7 +124,7 @@ struct Stage::State {
     ViewFrames frames;
     HostedPanels panels;
     ui::PanelStates states;
-    std::vector<std::string> problems;
+    std::vector<Sentence> problems;
 };
 
 Stage::Stage(Graphics& graphics, float scale)
@@ -134,18 +133,18 @@ Stage::Stage(Stage&&) noexcept = default;
 Stage& Stage::operator=(Stage&&) noexcept = default;
 Stage::~Stage() = default;
 
-const std::vector<std::string>& Stage::problems() const {
+const std::vector<Sentence>& Stage::problems() const {
     return state_->problems;
 }
 
 ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float seconds,
                          const std::function<void()>& feedInput) {
     Graphics& graphics = state_->graphics;
-    if (const std::string problem =
+    if (const Sentence problem =
             state_->panels.setLook(surface.scale, session.settings, session.window.systemLanguage);
         !problem.empty())
         ui::say(session, problem);
-    if (const std::string instead = ui::offerRenderers(session.view, graphics.renderers()); !instead.empty())
+    if (const Sentence instead = ui::offerRenderers(session.view, graphics.renderers()); !instead.empty())
         ui::say(session, instead);
     const float density =
         static_cast<float>(surface.pixels.width) / static_cast<float>(std::max(1, surface.size.width));

@@ -29,7 +29,7 @@ public:
                       const std::function<void()>& feedInput = {});
 
     /// The renderers' problems with the scene in the last frame.
-    [[nodiscard]] const std::vector<std::string>& problems() const;
+    [[nodiscard]] const std::vector<Sentence>& problems() const;
 
 private:
     struct State;

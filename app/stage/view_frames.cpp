@@ -68,8 +68,8 @@ void ViewFrames::addLightDepths(const ui::Session& session) {
     images_ = lightDepths_.addedTo(images_, ui::shownScene(session, stepped), session.look.playback.time);
 }
 
-void ViewFrames::addProblems(const std::vector<std::string>& problems) {
-    for (const std::string& problem : problems) {
+void ViewFrames::addProblems(const std::vector<Sentence>& problems) {
+    for (const Sentence& problem : problems) {
         if (std::ranges::find(problems_, problem) == problems_.end())
             problems_.push_back(problem);
     }

@@ -43,7 +43,7 @@ public:
     }
 
     /// The problems of all renderers, each sentence once.
-    [[nodiscard]] const std::vector<std::string>& problems() const { return problems_; }
+    [[nodiscard]] const std::vector<Sentence>& problems() const { return problems_; }
 
     /// Whether an upload continues in the next frame.
     [[nodiscard]] bool isUnfinished() const;
@@ -69,7 +69,7 @@ private:
                                          view::Size size);
     [[nodiscard]] ui::ViewFrame drawReference(const Subject& subject, ui::Session& session, view::Size size);
     void keepStepPicture(ui::Session& session);
-    void addProblems(const std::vector<std::string>& problems);
+    void addProblems(const std::vector<Sentence>& problems);
     void compareViews(const ui::ViewSettings& settings);
 
     Graphics& graphics_;
@@ -80,7 +80,7 @@ private:
     std::optional<ui::ViewDifference> difference_;
     std::array<std::shared_ptr<const Image>, 2> compared_; ///< the inputs of the difference
     std::shared_ptr<const Image> heatMap_;
-    std::vector<std::string> problems_;
+    std::vector<Sentence> problems_;
     std::vector<std::shared_ptr<const view::PassShader>> shaders_;
 };
 

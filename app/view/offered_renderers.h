@@ -1,9 +1,9 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/scene/renderer.h"
 
 #include <array>
-#include <string>
 #include <utility>
 
 namespace texplorer::view {
@@ -12,7 +12,7 @@ namespace texplorer::view {
 class OfferedRenderers {
 public:
     /// `reason` says what is missing, as a sentence without its full stop.
-    void withhold(RendererKind kind, std::string reason) {
+    void withhold(RendererKind kind, Sentence reason) {
         reasons_[static_cast<std::size_t>(kind)] = std::move(reason);
     }
 
@@ -20,7 +20,7 @@ public:
         return kind == RendererKind::Reference || whyNot(kind).empty();
     }
     /// Empty where it is there.
-    [[nodiscard]] const std::string& whyNot(RendererKind kind) const {
+    [[nodiscard]] const Sentence& whyNot(RendererKind kind) const {
         return reasons_[static_cast<std::size_t>(kind)];
     }
     /// The first one that is there.
@@ -36,7 +36,7 @@ public:
 private:
     static_assert(rendererKindRows.back().value == static_cast<std::uint32_t>(RendererKind::Reference),
                   "the search for the best ends there");
-    std::array<std::string, rendererKindRows.size()> reasons_;
+    std::array<Sentence, rendererKindRows.size()> reasons_;
 };
 
 } // namespace texplorer::view

@@ -2,6 +2,7 @@
 
 // The shaders of a pass, for those who show them.
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/glsl/stage_source.h"
 
 #include <optional>
@@ -16,7 +17,7 @@ enum class ShaderStage { Vertex, Fragment };
 struct ShaderMessage {
     std::optional<ShaderStage> stage; ///< none: both, or the files
     int line = 0;                     ///< of the stage's source, counted from 1; 0: none is named
-    std::string sentence;             ///< with the place in the files: "lighting.glsl:12: …"
+    Sentence sentence;                ///< with the place in the files: "lighting.glsl:12: …"
 
     bool operator==(const ShaderMessage&) const = default;
 };

@@ -126,8 +126,8 @@ Result<void> Pretence::add(std::string_view word) {
     }
     if (nearestName(name, names).empty())
         return fail(ErrorCode::OutOfRange,
-                    Sentence("expected one of {0}, found {1}", fmt::format("{}", fmt::join(names, ", ")),
-                             inQuotes(word)),
+                    Sentence("expected one of {0}, found {1}",
+                             ProperName{fmt::format("{}", fmt::join(names, ", "))}, inQuotes(word)),
                     option);
     return fail(ErrorCode::OutOfRange,
                 Sentence("{0} cannot be taken away; {1}", inQuotes(word), suggestName(name, names)), option);

@@ -7,9 +7,8 @@ The texts of a lesson are those of its lesson.json; its catalogues, zh_CN.po and
                           what the sources no longer have goes
     collect.py --check    says what is missing, superfluous or not translated, and fails where there is something
 
-A text is a string literal of the sources that a reader sees: what has a space or begins with a capital letter. What
-fmt puts into it is "{}" here, whatever its format. Words without either are found where they stand in words(…),
-tr(…), label(…) or countOf(…).
+A text is a string literal of the sources that a reader sees: every key of a Sentence, "{0} of {1}"; and what has a space
+or begins with a capital letter. Words without either are found where they stand in words(…), tr(…) or label(…).
 """
 import json
 import pathlib
@@ -47,10 +46,11 @@ ESCAPES = {"n": "\n", "t": "\t", '"': '"', "\\": "\\", "0": "\0", "'": "'"}
 # Calls whose literals no reader sees.
 UNSEEN = re.compile(r'(\bitem|noteItem|noteBox|PushID|GetID|BeginChild|InvisibleButton|wasUsed|static_assert|assert|getenv|rule'
                     r'|CallRow|[cC]odeLine|emit|cStyle)\(\s*(std::string\()?$|#include\s*$|PictureText\{\s*$|extern\s*$|since\s*=\s*$')
-ALWAYS = re.compile(r'\b(words|tr|label|unit|word)\(\s*$')
+ALWAYS = re.compile(r'\b(words|tr|label|unit|word|Sentence)\(\s*$')
+PLACE = re.compile(r'\{\d(:[^{}]*)?\}')  # of a Sentence: "{0:.2f}"
 # Of what writes programs: why it can't; the rest is C.
 REFUSAL = re.compile(r'(\b(fail|refuse)\(|\bFailureWords \w+\{)[^;]*$')
-COUNT = re.compile(r'\bcountOf\([^"]*,\s*$')
+PLURAL = re.compile(r'\bplural\(\s*$')
 
 
 # One word for one thing: what a translation must not say, and what it says instead.
@@ -86,15 +86,9 @@ def literals(source):
         yield source[max(0, begin - 200):begin], run
 
 
-def key_of(text):
-    return re.sub(r'(?<!\{)\{(?!\{)[^{}]*\}', '{}', text)
-
-
 def is_text(text):
-    letters = re.sub(r'\{\}', '', text)
+    letters = PLACE.sub('', text)
     if not re.search(r'[a-z]{2}', letters) and not re.search(r'[A-Z][a-z]', letters):
-        return False
-    if len(re.findall(r'[A-Za-z]', letters)) < 3 and "{}" in text:
         return False
     if re.match(r'^[~!(]*(gl|GL_|glu|#|float |int |void |vec[234]\b|uniform |const |GL[a-z]+ )', text) and not re.search(r'(?<![\w])[a-z]{3,}[,:]? [a-z]{1,}', text):
         return False
@@ -104,7 +98,7 @@ def is_text(text):
         return False
     if re.match(r'^[a-z][a-z ]*:[^ ]', text):  # what tests call a widget
         return False
-    if re.match(r'^https?:|^/usr|^\{\}$|^##|^</?!?[a-z]', text):  # and HTML
+    if re.match(r'^https?:|^/usr|^\{[a-z ]*\}$|^##|^</?!?[a-z]', text):  # and HTML
         return False
     return " " in text.strip() or bool(re.match(r'^s?[A-ZÀ-Þ][a-z]', text)) or text[-1:] in ".…"
 
@@ -123,21 +117,22 @@ def collect():
                     continue
                 if path.name == "shader_source.cpp" or ("json" in path.name and name == "window"):
                     continue
-                for before, text in literals(path.read_text()):
+                texts = list(literals(path.read_text()))
+                for i, (before, text) in enumerate(texts):
                     line = before.rsplit("\n", 1)[-1]
-                    plural = None
+                    plural = texts[i + 1][1] if PLURAL.search(before) else None
                     if where.startswith("core/emit/") and name == "messages" and not REFUSAL.search(before):
                         continue
-                    if COUNT.search(before):
-                        text, plural = "{} " + text, "{} " + text + "s"
-                    elif UNSEEN.search(before) or line.lstrip().startswith("#"):
+                    if i > 0 and PLURAL.search(texts[i - 1][0]):
                         continue
-                    elif not ALWAYS.search(before) and not is_text(key_of(text)):
+                    if UNSEEN.search(before) or line.lstrip().startswith("#"):
                         continue
-                    key = key_of(text.split("##")[0] if "##" in text else text)
-                    if not key.strip() or '\0' in key or not re.search('[A-Za-z]', key):
+                    if not plural and not ALWAYS.search(before) and not PLACE.search(text) and not is_text(text):
                         continue
-                    if key != key.strip():  # a piece of something: what becomes of it is looked up
+                    key = text.split("##")[0] if "##" in text else text
+                    if not key.strip() or '\0' in key or not re.search('[A-Za-z]', PLACE.sub('x', key)) or key.startswith("<"):
+                        continue
+                    if key != key.strip() and not PLACE.search(key):  # a piece of something: what becomes of it is looked up
                         if " " in key.strip() and not re.match(r"^ (--|[•-] Texplorer)", key):
                             PIECES.append((name, where, key))
                         continue
@@ -175,7 +170,7 @@ def lessons():
     for path in sorted(ROOT.glob("assets/lessons/*/lesson.json")):
         where = str(path.relative_to(ROOT))
         texts = texts_of_lesson(json.loads(path.read_text()))
-        found["lessons/" + path.parent.name] = {key_of(text): (None, [where]) for text in texts}
+        found["lessons/" + path.parent.name] = {text: (None, [where]) for text in texts}
     return found
 
 
@@ -195,7 +190,7 @@ def read(path):
     """Key → list of forms, of a .po file. Fuzzy entries count as not translated."""
     entries, key, forms, last, fuzzy = {}, None, [], None, False
     for line in (path.read_text().splitlines() if path.exists() else []) + [""]:
-        if line.startswith("#,"):
+        if line.startswith("#,"):  # python-brace-format lets msgfmt compare the placeholders
             fuzzy = "fuzzy" in line
         elif line.startswith("msgid "):
             key, last, forms = unquote(line), "key", []
@@ -226,7 +221,7 @@ def write(path, language, entries, known):
              quote("Content-Type: text/plain; charset=UTF-8\n"), quote("Content-Transfer-Encoding: 8bit\n"),
              quote("Language: %s\n" % language), quote("Plural-Forms: %s\n" % plural), ""]
     for key, (plural_key, sources) in entries.items():
-        lines += ["#: " + " ".join(sources), "msgid " + quote(key)]
+        lines += ["#: " + " ".join(sources)] + ["#, python-brace-format"] * bool(re.search(r"\{\w", key)) + ["msgid " + quote(key)]
         old = known.get(key, [])
         if plural_key:
             lines.append("msgid_plural " + quote(plural_key))

@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
 #include <optional>
 #include <span>
@@ -59,6 +60,18 @@ public:
         write(std::array{valueOf(first), valueOf(rest)...});
     }
 
+    /// `one` if the number is 1, else `many`: plural("{0} byte", "{0} bytes", 3).
+    template<std::integral Number, class... Rest>
+    [[nodiscard]] static Sentence
+    plural(Key<std::type_identity_t<Number>, std::type_identity_t<Rest>...> one,
+           Key<std::type_identity_t<Number>, std::type_identity_t<Rest>...> many, Number number,
+           const Rest&... rest) {
+        return {number == 1 ? one : many, number, rest...};
+    }
+
+    /// Joins two at a time: joined("{0}, {1}", all). Empty for none.
+    [[nodiscard]] static Sentence joined(Key<Sentence, Sentence> pair, std::span<const Sentence> all);
+
     [[nodiscard]] const std::string& english() const { return english_; }
     operator const std::string&() const { return english_; }
     operator std::string_view() const { return english_; }
@@ -68,6 +81,9 @@ public:
     [[nodiscard]] std::string_view key() const { return key_; }
     /// What replaces "{0}", "{1}"…, with its format.
     [[nodiscard]] const std::vector<Sentence>& arguments() const { return arguments_; }
+    /// Inserts the arguments, each as `text` returns it, into another form of the key, as a translation.
+    [[nodiscard]] std::string in(std::string_view form,
+                                 const std::function<std::string(const Sentence&)>& text) const;
     /// An argument that is a whole number, for plural forms.
     [[nodiscard]] std::optional<std::uint64_t> number() const { return number_; }
     [[nodiscard]] bool isName() const { return isName_; }

@@ -2,8 +2,6 @@
 
 #include "texplorer/image/convert.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -17,15 +15,15 @@ void addParts(const TextureImage& texture, std::vector<Loss>& losses) {
     const int slices = depthOf(texture.surfaces.front());
     if (texture.layers > 1)
         losses.push_back(
-            {"layers", fmt::format("{} of the array's {} layers", texture.layers - 1, texture.layers)});
+            {"layers", Sentence("{0} of the array's {1} layers", texture.layers - 1, texture.layers)});
     if (texture.faces > 1)
         losses.push_back(
-            {"faces", fmt::format("{} of the cube map's {} faces", texture.faces - 1, texture.faces)});
+            {"faces", Sentence("{0} of the cube map's {1} faces", texture.faces - 1, texture.faces)});
     if (slices > 1)
-        losses.push_back({"slices", fmt::format("{} of the volume's {} slices", slices - 1, slices)});
+        losses.push_back({"slices", Sentence("{0} of the volume's {1} slices", slices - 1, slices)});
     if (texture.levels > 1)
         losses.push_back(
-            {"levels", fmt::format("{} of the texture's {} mip levels", texture.levels - 1, texture.levels)});
+            {"levels", Sentence("{0} of the texture's {1} mip levels", texture.levels - 1, texture.levels)});
 }
 
 void addAlpha(const TextureImage& texture, std::string_view format, std::vector<Loss>& losses) {
@@ -51,10 +49,12 @@ void addFileParts(const TextureImage& texture, std::vector<Loss>& losses) {
 }
 
 /// "red, green and blue"
-std::string listed(std::span<const std::string_view> words) {
-    std::string text;
+Sentence listed(std::span<const std::string_view> words) {
+    Sentence text;
     for (std::size_t i = 0; i < words.size(); ++i)
-        text.append(i == 0 ? "" : i + 1 == words.size() ? " and " : ", ").append(words[i]);
+        text = i == 0                  ? Sentence(words[i])
+               : i + 1 == words.size() ? Sentence("{0} and {1}", text, words[i])
+                                       : Sentence("{0}, {1}", text, words[i]);
     return text;
 }
 
@@ -63,8 +63,7 @@ std::string listed(std::span<const std::string_view> words) {
 std::vector<Loss> lossesIn(const TextureImage& texture, std::string_view format) {
     std::vector<Loss> losses = texture.losses;
     if (texture.componentBits > 8)
-        losses.push_back(
-            {"componentBits", fmt::format("{} bits a component become 8", texture.componentBits)});
+        losses.push_back({"componentBits", Sentence("{0} bits a component become 8", texture.componentBits)});
     if (format != "DDS") {
         addParts(texture, losses);
         addAlpha(texture, format, losses);
@@ -95,18 +94,17 @@ std::vector<Loss> lossesIn(const MipChain& pictures, BlockFormat format) {
             lost.push_back(names[c]);
     if (lost.empty())
         return {};
-    return {{"components", fmt::format("{} ({} keeps only {})", listed(lost), rowOf(format).label,
-                                       listed(std::span(names).first(kept)))}};
+    return {{"components", Sentence("{0} ({1} keeps only {2})", listed(lost), ProperName{rowOf(format).label},
+                                    listed(std::span(names).first(kept)))}};
 }
 
-std::string allLost(const std::vector<Loss>& losses) {
-    std::string text;
-    for (const Loss& loss : losses)
-        text.append(text.empty() ? "" : "; ").append(loss.sentence);
-    return text;
+Sentence allLost(const std::vector<Loss>& losses) {
+    std::vector<Sentence> sentences;
+    std::ranges::transform(losses, std::back_inserter(sentences), &Loss::sentence);
+    return Sentence::joined("{0}; {1}", sentences);
 }
 
-std::string pixelsLost(const std::vector<Loss>& losses) {
+Sentence pixelsLost(const std::vector<Loss>& losses) {
     std::vector<Loss> ofPixels;
     std::ranges::copy_if(losses, std::back_inserter(ofPixels), &Loss::ofPixels);
     return allLost(ofPixels);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/image/texture_image.h"
 
 #include <string_view>
@@ -17,7 +18,7 @@ namespace texplorer {
 [[nodiscard]] std::vector<Loss> lossesIn(const MipChain& pictures, BlockFormat format);
 
 /// "16 bits a component become 8; 2 of the array's 3 layers": all sentences in one, and those about pixels.
-[[nodiscard]] std::string allLost(const std::vector<Loss>& losses);
-[[nodiscard]] std::string pixelsLost(const std::vector<Loss>& losses);
+[[nodiscard]] Sentence allLost(const std::vector<Loss>& losses);
+[[nodiscard]] Sentence pixelsLost(const std::vector<Loss>& losses);
 
 } // namespace texplorer

@@ -7,8 +7,6 @@
 #include "texplorer/codec/tga/tga.h"
 #include "texplorer/s3tc/surface_pixels.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <iterator>

@@ -4,8 +4,6 @@
 #include "texplorer/codec/registry.h"
 #include "texplorer/files/file_io.h"
 
-#include <fmt/core.h>
-
 namespace texplorer {
 
 Result<TextureImage> loadTexture(const std::filesystem::path& path, const DecodeLimits& limits) {

@@ -33,7 +33,7 @@ Result<void> checkPicture(const Image& image, std::string_view name) {
         return {};
     return fail(ErrorCode::Unsupported,
                 Sentence("expected a picture for {0}, found {1} of {2}", name,
-                         image.depth == 1 ? "one" : fmt::format("{} slices", image.depth),
+                         image.depth == 1 ? "one" : Sentence("{0} slices", image.depth),
                          rowOf(image.format).name));
 }
 

@@ -11,11 +11,11 @@ namespace texplorer {
 
 namespace {
 
-std::string extentsOf(const Image& image) {
+Sentence extentsOf(const Image& image) {
     const std::string extents = image.depth == 1
                                     ? fmt::format("{} × {}", image.width, image.height)
                                     : fmt::format("{} × {} × {}", image.width, image.height, image.depth);
-    return fmt::format("{} pixels ({})", extents, rowOf(image.format).name);
+    return Sentence("{0} pixels ({1})", ProperName{extents}, ProperName{rowOf(image.format).name});
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "texplorer/compare/verdict.h"
 
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/text/percent.h"
 
 #include <fmt/core.h>
@@ -29,7 +29,8 @@ std::string overText(const Comparison& comparison) {
                                   ? std::string(comparison.over == 1 ? "differs" : "differ")
                                   : fmt::format("{} {} above {:g}{}", comparison.over == 1 ? "has" : "have",
                                                 facts.value, criterion.tolerance, facts.unit);
-    return fmt::format("{} of {} ({}) {}", comparison.over, countOf(comparison.pixels, "pixel"),
+    return fmt::format("{} of {} ({}) {}", comparison.over,
+                       Sentence::plural("{0} pixel", "{0} pixels", comparison.pixels),
                        percentText(comparison.shareOver()), which);
 }
 
@@ -38,8 +39,9 @@ std::string regionsText(const Comparison& comparison) {
     if (comparison.over == 1)
         return {};
     const PixelRect& bounds = comparison.bounds;
-    return fmt::format("; {} within {} × {} pixels at {}, {}", countOf(comparison.regions, "region"),
-                       bounds.width, bounds.height, bounds.x, bounds.y);
+    return fmt::format("; {} within {} × {} pixels at {}, {}",
+                       Sentence::plural("{0} region", "{0} regions", comparison.regions), bounds.width,
+                       bounds.height, bounds.x, bounds.y);
 }
 
 std::string scoreText(const Comparison& comparison) {
@@ -61,7 +63,8 @@ std::string verdictOn(const Comparison& comparison) {
         return sizesText(comparison);
     const Criterion& criterion = comparison.criterion;
     if (comparison.over == 0 && comparison.difference.max == 0)
-        return fmt::format("alike: none of {} differs", countOf(comparison.pixels, "pixel"));
+        return fmt::format("alike: none of {} differs",
+                           Sentence::plural("{0} pixel", "{0} pixels", comparison.pixels));
     if (comparison.over == 0)
         return fmt::format("alike within {:g}{}: {}{}", criterion.tolerance, factsOf(criterion.metric).unit,
                            worstText(comparison), scoreText(comparison));

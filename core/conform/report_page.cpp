@@ -1,4 +1,4 @@
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/codec/png/png.h"
 #include "texplorer/compare/heat_map.h"
@@ -63,8 +63,9 @@ std::vector<report::Fact> factsOf(const Outcome& outcome) {
         facts.push_back({"rho", std::move(rho)});
     facts.push_back({fmt::format("Rule {}", rule.name), std::string(rule.reason)});
     for (const auto& [skip, count] : outcome.skipped)
-        facts.push_back({fmt::format("Skipped, {}", skip->name),
-                         fmt::format("{}: {}", countOf(count, "scene"), skip->reason)});
+        facts.push_back(
+            {fmt::format("Skipped, {}", skip->name),
+             fmt::format("{}: {}", Sentence::plural("{0} scene", "{0} scenes", count), skip->reason)});
     return facts;
 }
 
@@ -93,7 +94,8 @@ Result<void> addWorst(report::Case& each, const PairReport& pair, const Outcome&
     each.links = {{"The worst scene", each.name + ".json"}};
 
     const Judgement& judgement = worst.judgement;
-    each.message = fmt::format("Its worst scene has {} over {}", countOf(judgement.difference.over, "pixel"),
+    each.message = fmt::format("Its worst scene has {} over {}",
+                               Sentence::plural("{0} pixel", "{0} pixels", judgement.difference.over),
                                outcome.rule->bound);
     if (outcome.rule->tolerance != Tolerance::None)
         each.message += fmt::format(", {} of them unexplained", judgement.unexplained);
@@ -153,7 +155,8 @@ report::Table tableOf(const PairReport& pair, std::size_t first) {
         table.rows.push_back(rowOfTable(outcome, first + table.rows.size()));
         for (const auto& [skip, count] : outcome.skipped)
             table.notes.push_back(fmt::format("{}: {} skipped ({}): {}.", outcome.feature->name,
-                                              countOf(count, "scene"), skip->name, skip->reason));
+                                              Sentence::plural("{0} scene", "{0} scenes", count), skip->name,
+                                              skip->reason));
         if (const std::string rho = rhoText(outcome); !rho.empty())
             table.notes.push_back(fmt::format("{}: {}.", outcome.feature->name, rho));
         if (!outcome.problem.empty())

@@ -1,4 +1,4 @@
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/conform/report.h"
 #include "texplorer/conform/report_words.h"
@@ -59,8 +59,8 @@ std::string pairText(const PairReport& pair) {
                                    rowOf(pair.pair.against).name, aligned(lines));
     for (const Skip& skip : skips()) {
         if (const auto found = skipped.find(&skip); found != skipped.end())
-            text +=
-                fmt::format("skipped: {}, {}: {}\n", skip.name, countOf(found->second, "scene"), skip.reason);
+            text += fmt::format("skipped: {}, {}: {}\n", skip.name,
+                                Sentence::plural("{0} scene", "{0} scenes", found->second), skip.reason);
     }
     for (const Outcome& outcome : pair.outcomes) {
         if (const std::string rho = rhoText(outcome); !rho.empty())
@@ -103,7 +103,8 @@ std::string summary(const Report& report) {
     }
     std::string text = "all agree";
     if (open > 0)
-        text += fmt::format(", except {} with too few scenes to decide", countOf(open, "feature"));
+        text += fmt::format(", except {} with too few scenes to decide",
+                            Sentence::plural("{0} feature", "{0} features", open));
     if (skipped > 0)
         text += fmt::format(", {} of {} comparisons skipped", skipped, all);
     return text;

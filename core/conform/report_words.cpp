@@ -1,6 +1,6 @@
 #include "texplorer/conform/report_words.h"
 
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 
 #include <fmt/core.h>
 
@@ -49,7 +49,8 @@ std::string allowed(const Outcome& outcome) {
     const Rule& rule = *outcome.rule;
     const auto byChance = [&all](double share, double expected, double limit) {
         return share > expected && expected > 0
-                   ? fmt::format(" (of {} {})", countOf(all.scenes, "scene"), percent(limit))
+                   ? fmt::format(" (of {} {})", Sentence::plural("{0} scene", "{0} scenes", all.scenes),
+                                 percent(limit))
                    : std::string();
     };
     return allowedText(rule, byChance(all.shareOver(), 1 - rule.share, all.limitOver(rule)),
@@ -60,11 +61,12 @@ std::string rhoText(const Outcome& outcome) {
     std::string text;
     const auto add = [&text](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
     for (const auto& [method, count] : outcome.rho)
-        add(fmt::format("{} with rho at its {} (--rho {})", countOf(count, "scene"),
-                        method == reference::RhoMethod::Lower ? "lower end" : "upper end",
-                        rowOf(method).name));
+        add(fmt::format(
+            "{} with rho at its {} (--rho {})", Sentence::plural("{0} scene", "{0} scenes", count),
+            method == reference::RhoMethod::Lower ? "lower end" : "upper end", rowOf(method).name));
     if (outcome.all.withinRho > 0)
-        add(fmt::format("{} with another rho between its ends", countOf(outcome.all.withinRho, "pixel")));
+        add(fmt::format("{} with another rho between its ends",
+                        Sentence::plural("{0} pixel", "{0} pixels", outcome.all.withinRho)));
     return text.empty() ? text : text + ", which OpenGL 2.1, section 3.8.8, allows";
 }
 

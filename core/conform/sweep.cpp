@@ -74,9 +74,9 @@ auto badness(const Worst& worst) {
 }
 
 /// The first problem that only one of two has; nullptr: they have the same.
-const std::string* problemOfOne(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+const Sentence* problemOfOne(const std::vector<Sentence>& a, const std::vector<Sentence>& b) {
     for (const auto& [own, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
-        const auto lacks = [&other = *other](const std::string& each) {
+        const auto lacks = [&other = *other](const Sentence& each) {
             return std::ranges::find(other, each) == other.end();
         };
         if (const auto found = std::ranges::find_if(*own, lacks); found != own->end())
@@ -119,9 +119,9 @@ public:
         outcome.worstScene = std::max(outcome.worstScene, judgement.shareUnexplained());
         outcome.hasWrongScene = outcome.hasWrongScene || !judgement.isAllowed(*outcome.rule);
         // What neither can do, as a compression without a cache, is no disagreement.
-        const std::string* only = problemOfOne(subject.problems, against.problems);
-        if (only && (outcome.problem.empty() || *only < outcome.problem))
-            outcome.problem = *only;
+        const Sentence* only = problemOfOne(subject.problems, against.problems);
+        if (only && (outcome.problem.empty() || only->english() < outcome.problem))
+            outcome.problem = only->english();
         Worst candidate{item.number, item.scene, subject.image, against.image, std::move(judgement)};
         if (auto& redrawn = candidate.judgement.redrawn)
             (pairs_[pair].pair.subject == RendererKind::Reference ? candidate.subject : candidate.against) =

@@ -3,6 +3,7 @@
 // Reports what is wrong, undefined or without effect in a scene, as sentences. The window, `texshot shot` and
 // `texshot check` use one table of rules (diagnosis_*.cpp).
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/scene/edit/edit.h"
 #include "texplorer/scene/scene.h"
 #include "texplorer/texture/image_source.h"
@@ -60,7 +61,7 @@ struct EnumTable<Severity> {
 static_assert(severityRows.size() == 5);
 
 struct Fix {
-    std::string label; ///< "Generate mipmaps"
+    Sentence label; ///< "Generate mipmaps"
     std::vector<edit::Set> assignments;
 };
 
@@ -70,7 +71,7 @@ struct Finding {
     /// The parameter, "textures[0].minFilter"; or a struct, "passes[0].units[1].combine", with everything in
     /// it.
     std::string path;
-    std::string sentence;   ///< without a capital and a full stop, like an error message
+    Sentence sentence;      ///< without a capital and a full stop, like an error message
     std::vector<Fix> fixes; ///< each of them alone fixes it; the most likely one first
     /// Whether a renderer also reports this when it draws.
     bool reportedByRenderer = false;

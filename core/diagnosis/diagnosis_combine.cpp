@@ -1,6 +1,5 @@
 // GL_COMBINE: OpenGL 2.1, section 3.8.13.
 
-#include "texplorer/base/count.h"
 #include "texplorer/diagnosis/diagnosis_rules.h"
 #include "texplorer/gl/combine_arguments.h"
 
@@ -26,9 +25,9 @@ void undefinedCrossbar(const Case& about, Report& report) {
             const std::string source = fmt::format("{}{}.{}", path, keyOf<&Unit::combine>(), each.sourceKey);
             report.add(source,
                        other.enabled
-                           ? fmt::format("{} is undefined: unit {} has no complete texture",
-                                         nameOf(each.source), *asked)
-                           : fmt::format("{} is undefined: unit {} is off", nameOf(each.source), *asked),
+                           ? Sentence("{0} is undefined: unit {1} has no complete texture",
+                                      named(each.source), *asked)
+                           : Sentence("{0} is undefined: unit {1} is off", named(each.source), *asked),
                        Fix{"Take this unit's texture", {{source, nameOf(CombineSource::Texture)}}});
         }
     });
@@ -41,17 +40,18 @@ void unreadArguments(const Case& about, Report& report) {
         const Combine& combine = unit.combine;
         const std::string own = fmt::format("{}{}.", path, keyOf<&Unit::combine>());
         const bool dot = combine.rgb == CombineRgb::Dot3Rgba;
-        const std::string overruled = fmt::format("{} gives alpha, too", nameOf(combine.rgb));
+        const Sentence overruled = Sentence("{0} gives alpha, too", named(combine.rgb));
         if (dot) // its scale stays: ARB_texture_env_dot3 multiplies alpha by it
             report.add(own + keyOf<&Combine::alpha>(), overruled);
         for (const Argument& each : argumentsOf(combine)) {
             if (each.read)
                 continue;
             const int count = each.ofAlpha ? argumentCount(combine.alpha) : argumentCount(combine.rgb);
-            const std::string function = each.ofAlpha ? nameOf(combine.alpha) : nameOf(combine.rgb);
-            const std::string reason =
-                each.ofAlpha && dot ? overruled
-                                    : fmt::format("{} reads {} only", function, countOf(count, "argument"));
+            const ProperName function = each.ofAlpha ? named(combine.alpha) : named(combine.rgb);
+            const Sentence reason = each.ofAlpha && dot
+                                        ? overruled
+                                        : Sentence("{0} reads {1} only", function,
+                                                   Sentence::plural("{0} argument", "{0} arguments", count));
             report.add(own + std::string(each.sourceKey), reason);
             report.add(own + std::string(each.operandKey), reason);
         }
@@ -62,7 +62,7 @@ void otherMode(const Case& about, Report& report) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         if (unit.envMode != EnvMode::Combine)
             report.add(path + keyOf<&Unit::combine>(),
-                       fmt::format("the mode is {}, not {}", nameOf(unit.envMode), nameOf(EnvMode::Combine)));
+                       Sentence("the mode is {0}, not {1}", named(unit.envMode), named(EnvMode::Combine)));
     });
 }
 

@@ -56,10 +56,10 @@ void cubeSeams(const Case& about, Report& report) {
             fixes.push_back(acrossEdges(about, i));
         report.add(
             path + (ofS ? keyOf<&Texture::wrapS>() : keyOf<&Texture::wrapT>()),
-            fmt::format(
-                "{} reads beyond the edge of each face of a cube map, which shows as a seam; some drivers "
-                "always use {}",
-                nameOf(ofS ? texture.wrapS : texture.wrapT), edge),
+            Sentence(
+                "{0} reads beyond the edge of each face of a cube map, which shows as a seam; some drivers "
+                "always use {1}",
+                named(ofS ? texture.wrapS : texture.wrapT), named(Wrap::ClampToEdge)),
             std::move(fixes));
     }
 }
@@ -90,9 +90,9 @@ void cubeEdges(const Case& about, Report& report) {
                 leaves(texture.wrapS) || leaves(texture.wrapT)) // which is said already
                 continue;
             report.add(seamlessPath(p),
-                       fmt::format("each face of textures[{}] has {} × {} texels and is filtered on its "
-                                   "own: seams show along the edges of the cube",
-                                   map, base->width, base->height),
+                       Sentence("each face of textures[{0}] has {1} × {2} texels and is filtered on its "
+                                "own: seams show along the edges of the cube",
+                                map, base->width, base->height),
                        acrossEdges(about, map));
             break;
         }
@@ -122,8 +122,8 @@ void seamlessInVain(const Case& about, Report& report) {
                      const Texture& texture = about.scene.textures[map];
                      return isLinearSomewhere(texture) || leaves(texture.wrapS) || leaves(texture.wrapT);
                  }))
-            report.add(seamlessPath(p), fmt::format("{} reads one texel, of the face that is hit",
-                                                    nameOf(MagFilter::Nearest)));
+            report.add(seamlessPath(p),
+                       Sentence("{0} reads one texel, of the face that is hit", named(MagFilter::Nearest)));
     }
 }
 

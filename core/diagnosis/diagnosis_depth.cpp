@@ -90,10 +90,10 @@ void depthTarget(const Case& about, Report& report) {
         if (!depthTextureOf(about, unit) || takesDepths(unit.target))
             return;
         report.add(path + keyOf<&Unit::target>(),
-                   fmt::format("OpenGL has no depth textures for {}: drawn without it", nameOf(unit.target)),
-                   std::vector{Fix{fmt::format("Make it {}", nameOf(Target::Texture2D)),
+                   Sentence("OpenGL has no depth textures for {0}: drawn without it", named(unit.target)),
+                   std::vector{Fix{Sentence("Make it {0}", named(Target::Texture2D)),
                                    {{path + keyOf<&Unit::target>(), nameOf(Target::Texture2D)}}},
-                               Fix{fmt::format("Make the texture {}", nameOf(InternalFormat::Luminance)),
+                               Fix{Sentence("Make the texture {0}", named(InternalFormat::Luminance)),
                                    {{texturePath(unit) + keyOf<&Texture::internalFormat>(),
                                      nameOf(InternalFormat::Luminance)}}}});
     });
@@ -107,9 +107,9 @@ void coloredDepths(const Case& about, Report& report) {
         const std::string format =
             fmt::format("{}.{}", elementOf<&Scene::textures>(i), keyOf<&Texture::internalFormat>());
         report.add(format,
-                   fmt::format("{} keeps depths as greys of 8 bits and cannot compare them",
-                               nameOf(texture.internalFormat)),
-                   Fix{fmt::format("Make it {}", nameOf(InternalFormat::DepthComponent24)),
+                   Sentence("{0} keeps depths as greys of 8 bits and cannot compare them",
+                            named(texture.internalFormat)),
+                   Fix{Sentence("Make it {0}", named(InternalFormat::DepthComponent24)),
                        {{format, nameOf(InternalFormat::DepthComponent24)}}});
     }
 }
@@ -152,13 +152,12 @@ void projectsNothing(const Case& about, Report& report) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         if (!unit.enabled || !projectorOf(unit) || hasEyeCoordinates(unit))
             return;
-        report.add(
-            fmt::format("{}{}.{}", path, elementOf<&Unit::matrix>(unit.matrix.size() - 1),
-                        keyOf<&MatrixStep::op>()),
-            fmt::format("this step needs eye coordinates: generate s, t, r and q with {} and the planes "
-                        "1,0,0,0 to 0,0,0,1",
-                        nameOf(TexGenMode::EyeLinear)),
-            generateEyeCoordinates(path));
+        report.add(fmt::format("{}{}.{}", path, elementOf<&Unit::matrix>(unit.matrix.size() - 1),
+                               keyOf<&MatrixStep::op>()),
+                   Sentence("this step needs eye coordinates: generate s, t, r and q with {0} and the planes "
+                            "1,0,0,0 to 0,0,0,1",
+                            named(TexGenMode::EyeLinear)),
+                   generateEyeCoordinates(path));
     });
 }
 
@@ -280,9 +279,10 @@ void emptyRange(const Case& about, Report& report) {
                {{far, formatNumber(projector.nearest)},
                 {path + keyOf<&Projector::nearest>(), formatNumber(projector.farthest)}}};
     report.add(far,
-               fmt::format("the farthest distance, {}, must be greater than the nearest, {}: the projector "
-                           "ends right behind the nearest",
-                           formatNumber(projector.farthest), formatNumber(projector.nearest)),
+               Sentence("the farthest distance, {0}, must be greater than the nearest, {1}: the projector "
+                        "ends right behind the nearest",
+                        ProperName{formatNumber(projector.farthest)},
+                        ProperName{formatNumber(projector.nearest)}),
                std::move(fix));
 }
 

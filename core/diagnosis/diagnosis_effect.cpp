@@ -17,7 +17,7 @@ namespace {
 /// A setting and why it changes nothing: an empty reason says that it does.
 struct Setting {
     Key key;
-    std::string (*reason)(const Texture& texture, const TextureFacts& facts);
+    Sentence (*reason)(const Texture& texture, const TextureFacts& facts);
 };
 
 /// Section 3.8.7: GL_CLAMP leaves the image by half a texel, which a linear filter alone sees.
@@ -26,7 +26,7 @@ bool showsBorder(const Texture& texture, Wrap wrap) {
                                                                    reference::isLinear(texture.minFilter)));
 }
 
-std::string noFlip(const Texture& texture, const TextureFacts& facts) {
+Sentence noFlip(const Texture& texture, const TextureFacts& facts) {
     if (texture.source == SourceKind::Pattern)
         return "a built-in pattern is upright";
     if (texture.source == SourceKind::LightDepth)
@@ -41,13 +41,13 @@ std::string noFlip(const Texture& texture, const TextureFacts& facts) {
     return {};
 }
 
-std::string noInternalFormat(const Texture&, const TextureFacts& facts) {
+Sentence noInternalFormat(const Texture&, const TextureFacts& facts) {
     const bool compressed = std::ranges::all_of(
         facts.targets, [](const TargetFacts& each) { return each.plan.blocks.has_value(); });
     return compressed ? "a compressed texture has a format of its own; one of depths is not compressed" : "";
 }
 
-std::string noScaling(const Texture&, const TextureFacts& facts) {
+Sentence noScaling(const Texture&, const TextureFacts& facts) {
     if (!facts.image)
         return {};
     const Surface& base = facts.image->surfaces.front();
@@ -55,14 +55,14 @@ std::string noScaling(const Texture&, const TextureFacts& facts) {
                                                                         : "";
 }
 
-std::string noWrapS(const Texture&, const TextureFacts& facts) {
+Sentence noWrapS(const Texture&, const TextureFacts& facts) {
     return facts.seamless
                ? "a seamless cube map is filtered across the edges of its faces, whatever the wrap modes "
                  "are"
                : "";
 }
 
-std::string noWrapT(const Texture& texture, const TextureFacts& facts) {
+Sentence noWrapT(const Texture& texture, const TextureFacts& facts) {
     if (facts.seamless)
         return noWrapS(texture, facts);
     const bool line = std::ranges::all_of(
@@ -70,26 +70,25 @@ std::string noWrapT(const Texture& texture, const TextureFacts& facts) {
     return line ? "a 1D texture has only s" : "";
 }
 
-std::string noWrapR(const Texture&, const TextureFacts& facts) {
-    return facts.hasTarget(Target::Texture3D)
-               ? ""
-               : fmt::format("only a 3D texture has r; the unit's target is {}",
-                             nameOf(facts.targets.front().target));
+Sentence noWrapR(const Texture&, const TextureFacts& facts) {
+    return facts.hasTarget(Target::Texture3D) ? ""
+                                              : Sentence("only a 3D texture has r; the unit's target is {0}",
+                                                         named(facts.targets.front().target));
 }
 
-std::string noBorderColor(const Texture& texture, const TextureFacts& facts) {
+Sentence noBorderColor(const Texture& texture, const TextureFacts& facts) {
     if (facts.seamless)
         return "a seamless cube map shows no border";
     const bool shown = showsBorder(texture, texture.wrapS) ||
                        (showsBorder(texture, texture.wrapT) && noWrapT(texture, facts).empty()) ||
                        (showsBorder(texture, texture.wrapR) && facts.hasTarget(Target::Texture3D));
     return shown ? ""
-                 : fmt::format("no wrap mode shows the border; {} does, and {} under a linear filter",
-                               nameOf(Wrap::ClampToBorder), nameOf(Wrap::Clamp));
+                 : Sentence("no wrap mode shows the border; {0} does, and {1} under a linear filter",
+                            named(Wrap::ClampToBorder), named(Wrap::Clamp));
 }
 
 /// Where the border is cut off the image, the image is another one.
-std::string noBorder(const Texture& texture, const TextureFacts& facts) {
+Sentence noBorder(const Texture& texture, const TextureFacts& facts) {
     const bool cuts = facts.image && std::ranges::any_of(facts.targets, [&](const TargetFacts& each) {
                           const Surface& base = facts.image->surfaces.front();
                           const int axes = axesOf(each.target);
@@ -99,17 +98,17 @@ std::string noBorder(const Texture& texture, const TextureFacts& facts) {
     return cuts ? "" : noBorderColor(texture, facts);
 }
 
-std::string noMipmaps(const Texture& texture, const TextureFacts&) {
+Sentence noMipmaps(const Texture& texture, const TextureFacts&) {
     return reference::wantsMipmaps(texture.minFilter)
                ? ""
-               : fmt::format("{} reads no mipmaps", nameOf(texture.minFilter));
+               : Sentence("{0} reads no mipmaps", named(texture.minFilter));
 }
 
 /// Without mipmaps λ decides only which of the two filters is taken.
-std::string noLod(const Texture& texture, const TextureFacts&) {
+Sentence noLod(const Texture& texture, const TextureFacts&) {
     const bool same =
         static_cast<std::uint32_t>(texture.minFilter) == static_cast<std::uint32_t>(texture.magFilter);
-    return same ? fmt::format("{} reads no mipmaps, and both filters are the same", nameOf(texture.minFilter))
+    return same ? Sentence("{0} reads no mipmaps, and both filters are the same", named(texture.minFilter))
                 : "";
 }
 
@@ -117,22 +116,22 @@ bool isDepthTexture(const Texture& texture) {
     return isDepth(texture.internalFormat);
 }
 
-std::string noCompression(const Texture& texture, const TextureFacts&) {
+Sentence noCompression(const Texture& texture, const TextureFacts&) {
     return isDepthTexture(texture) ? "OpenGL has no compressed depth textures" : "";
 }
 
-std::string noTransparency(const Texture& texture, const TextureFacts&) {
+Sentence noTransparency(const Texture& texture, const TextureFacts&) {
     return isDepthTexture(texture) ? "a depth texture has no alpha of its own" : "";
 }
 
-std::string noComparing(const Texture& texture, const TextureFacts&) {
-    return isDepthTexture(texture) ? "" : fmt::format("{} holds no depths", nameOf(texture.internalFormat));
+Sentence noComparing(const Texture& texture, const TextureFacts&) {
+    return isDepthTexture(texture) ? "" : Sentence("{0} holds no depths", named(texture.internalFormat));
 }
 
-std::string noCompareFunc(const Texture& texture, const TextureFacts& facts) {
+Sentence noCompareFunc(const Texture& texture, const TextureFacts& facts) {
     const bool compares = texture.compareMode == CompareMode::RToTexture;
     return compares ? noComparing(texture, facts)
-                    : fmt::format("nothing is compared: {}", nameOf(texture.compareMode));
+                    : Sentence("nothing is compared: {0}", named(texture.compareMode));
 }
 
 constexpr std::array settings{
@@ -160,7 +159,7 @@ constexpr std::array settings{
 void noEffect(const Case& about, Report& report) {
     for (std::size_t i = 0; i < about.textures.size(); ++i) {
         for (const Setting& setting : settings) {
-            std::string reason = setting.reason(about.scene.textures[i], about.textures[i]);
+            Sentence reason = setting.reason(about.scene.textures[i], about.textures[i]);
             if (!reason.empty())
                 report.add(fmt::format("{}.{}", elementOf<&Scene::textures>(i), setting.key()),
                            std::move(reason));
@@ -219,7 +218,7 @@ void levelsUnread(const Case& about, Report& report) {
         const std::string path = elementOf<&Scene::textures>(i) + ".";
         const std::string given = nameOf(MipPolicy::Given);
         report.add(path + keyOf<&Texture::levels>(),
-                   fmt::format("these levels are not read with mipmaps={}", nameOf(texture.mipmaps)),
+                   Sentence("these levels are not read with mipmaps={0}", named(texture.mipmaps)),
                    Fix{"Read them", {{path + keyOf<&Texture::mipmaps>(), given}}});
     }
 }
@@ -240,17 +239,17 @@ bool makesAlpha(const ImageStep& step) {
 }
 
 /// Why an alpha that a step makes is lost; empty: it isn't.
-std::string lostAlpha(const Texture& texture, const TextureFacts& facts, std::size_t step) {
+Sentence lostAlpha(const Texture& texture, const TextureFacts& facts, std::size_t step) {
     const auto later = texture.preparation.begin() + static_cast<std::ptrdiff_t>(step) + 1;
     if (std::any_of(later, texture.preparation.end(), makesAlpha))
         return "a later step replaces alpha";
     if (texture.transparency != Transparency::File && texture.transparency != Transparency::Alpha)
-        return fmt::format("transparency={} replaces alpha", nameOf(texture.transparency));
+        return Sentence("transparency={0} replaces alpha", named(texture.transparency));
     const auto isWithout = [](const TargetFacts& each) {
         return !each.plan.blocks && (each.format == BaseFormat::Rgb || each.format == BaseFormat::Luminance);
     };
     if (std::ranges::all_of(facts.targets, isWithout))
-        return fmt::format("{} keeps no alpha", nameOf(texture.internalFormat));
+        return Sentence("{0} keeps no alpha", named(texture.internalFormat));
     return {};
 }
 
@@ -260,7 +259,7 @@ void alphaLost(const Case& about, Report& report) {
         for (std::size_t step = 0; step < texture.preparation.size(); ++step) {
             if (!makesAlpha(texture.preparation[step]))
                 continue;
-            std::string reason = lostAlpha(texture, about.textures[i], step);
+            Sentence reason = lostAlpha(texture, about.textures[i], step);
             if (!reason.empty())
                 report.add(fmt::format("{}.{}", elementOf<&Scene::textures>(i),
                                        elementOf<&Texture::preparation>(step)),
@@ -274,45 +273,44 @@ void unused(const Case& about, Report& report) {
     for (std::size_t i = 0; i < about.textures.size(); ++i) {
         const Texture& texture = about.scene.textures[i];
         const std::string path = elementOf<&Scene::textures>(i) + ".";
-        const auto unless = [&](bool used, const std::string& key, const std::string& chosen) {
+        const auto unless = [&](bool used, const std::string& key, ProperName chosen) {
             if (!used)
-                report.add(path + key, fmt::format("it is not used with {}", chosen));
+                report.add(path + key, Sentence("it is not used with {0}", chosen));
         };
-        unless(texture.source == SourceKind::Pattern, keyOf<&Texture::pattern>(), nameOf(texture.source));
-        unless(texture.source == SourceKind::File, keyOf<&Texture::file>(), nameOf(texture.source));
-        unless(texture.source == SourceKind::LightDepth, keyOf<&Texture::depthSize>(),
-               nameOf(texture.source));
+        unless(texture.source == SourceKind::Pattern, keyOf<&Texture::pattern>(), named(texture.source));
+        unless(texture.source == SourceKind::File, keyOf<&Texture::file>(), named(texture.source));
+        unless(texture.source == SourceKind::LightDepth, keyOf<&Texture::depthSize>(), named(texture.source));
         unless(texture.transparency == Transparency::Stencil, keyOf<&Texture::stencilColor>(),
-               nameOf(texture.transparency));
+               named(texture.transparency));
         const bool cached = texture.compression == Compression::Cached;
         unless(cached || texture.compression == Compression::Driver, keyOf<&Texture::compressedFormat>(),
-               nameOf(texture.compression));
-        unless(cached, keyOf<&Texture::compressionQuality>(), nameOf(texture.compression));
+               named(texture.compression));
+        unless(cached, keyOf<&Texture::compressionQuality>(), named(texture.compression));
         const bool averages =
             texture.mipmaps == MipPolicy::Generated || texture.mipmaps == MipPolicy::Missing;
-        unless(averages, keyOf<&Texture::mipFilter>(), nameOf(texture.mipmaps));
-        unless(averages, keyOf<&Texture::mipGamma>(), nameOf(texture.mipmaps));
-        unless(texture.mipmaps != MipPolicy::FromFile, keyOf<&Texture::npot>(), nameOf(texture.mipmaps));
+        unless(averages, keyOf<&Texture::mipFilter>(), named(texture.mipmaps));
+        unless(averages, keyOf<&Texture::mipGamma>(), named(texture.mipmaps));
+        unless(texture.mipmaps != MipPolicy::FromFile, keyOf<&Texture::npot>(), named(texture.mipmaps));
         for (std::size_t k = 0; k < texture.levels.size(); ++k) {
             const GivenLevel& level = texture.levels[k];
             const std::string owner = elementOf<&Texture::levels>(k) + ".";
             const bool isFile = level.source == SourceKind::File;
-            unless(!isFile, owner + keyOf<&GivenLevel::pattern>(), nameOf(level.source));
-            unless(isFile, owner + keyOf<&GivenLevel::file>(), nameOf(level.source));
+            unless(!isFile, owner + keyOf<&GivenLevel::pattern>(), named(level.source));
+            unless(isFile, owner + keyOf<&GivenLevel::file>(), named(level.source));
         }
         for (std::size_t k = 0; k < texture.preparation.size(); ++k) {
             const ImageStep& step = texture.preparation[k];
             const std::string owner = elementOf<&Texture::preparation>(k) + ".";
             const bool asks = step.op == ImageOp::AlphaFrom;
             const bool isFile = step.source == SourceKind::File;
-            unless(step.op == ImageOp::Scale, owner + keyOf<&ImageStep::factor>(), nameOf(step.op));
-            unless(step.op == ImageOp::Scale, owner + keyOf<&ImageStep::bias>(), nameOf(step.op));
-            unless(step.op == ImageOp::Sharpen, owner + keyOf<&ImageStep::amount>(), nameOf(step.op));
-            unless(asks, owner + keyOf<&ImageStep::source>(), nameOf(step.op));
+            unless(step.op == ImageOp::Scale, owner + keyOf<&ImageStep::factor>(), named(step.op));
+            unless(step.op == ImageOp::Scale, owner + keyOf<&ImageStep::bias>(), named(step.op));
+            unless(step.op == ImageOp::Sharpen, owner + keyOf<&ImageStep::amount>(), named(step.op));
+            unless(asks, owner + keyOf<&ImageStep::source>(), named(step.op));
             unless(asks && !isFile, owner + keyOf<&ImageStep::pattern>(),
-                   asks ? nameOf(step.source) : nameOf(step.op));
+                   asks ? named(step.source) : named(step.op));
             unless(asks && isFile, owner + keyOf<&ImageStep::file>(),
-                   asks ? nameOf(step.source) : nameOf(step.op));
+                   asks ? named(step.source) : named(step.op));
         }
     }
 }

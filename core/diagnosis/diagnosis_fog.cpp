@@ -75,16 +75,17 @@ Fix fittingFog(const Fog& fog, const std::string& path, Distances distances) {
         const float around = std::max(0.0F, 1 - (distances.farthest - distances.nearest)) / 2;
         const float end = std::min(distances.farthest + around, fogLimit);
         const float start = std::min(distances.nearest - around, end - 1);
-        return {fmt::format("From {} to {}", rounded(start), rounded(end)),
+        return {Sentence("From {0} to {1}", ProperName{rounded(start)}, ProperName{rounded(end)}),
                 {{path + keyOf<&Fog::start>(), rounded(start)}, {path + keyOf<&Fog::end>(), rounded(end)}}};
     }
     // Half of a colour is left in the middle.
     const float middle = std::max((distances.nearest + distances.farthest) / 2, 0.01F);
     const float thickness = std::log(2.0F);
     const float density = (fog.mode == FogMode::Exp2 ? std::sqrt(thickness) : thickness) / middle;
-    Fix fix{fmt::format("Set {}", rounded(density)), {{path + keyOf<&Fog::density>(), rounded(density)}}};
+    Fix fix{Sentence("Set {0}", ProperName{rounded(density)}),
+            {{path + keyOf<&Fog::density>(), rounded(density)}}};
     if (isLinear) { // which ends before all that there is
-        fix.label = fmt::format("Make it {} with {}", nameOf(FogMode::Exp), rounded(density));
+        fix.label = Sentence("Make it {0} with {1}", named(FogMode::Exp), ProperName{rounded(density)});
         fix.assignments.push_back({path + keyOf<&Fog::mode>(), nameOf(FogMode::Exp)});
     }
     return fix;
@@ -108,15 +109,15 @@ void fogRange(const Case& about, Report& report) {
         if (fog.start > fog.end)
             return report.add(
                 key,
-                fmt::format("the fog ends at {}, before it starts at {}: near objects are hidden and far "
-                            "ones are clear",
-                            formatNumber(fog.end), formatNumber(fog.start)),
+                Sentence("the fog ends at {0}, before it starts at {1}: near objects are hidden and far "
+                         "ones are clear",
+                         ProperName{formatNumber(fog.end)}, ProperName{formatNumber(fog.start)}),
                 Fix{"Exchange them",
                     {{path + keyOf<&Fog::start>(), formatNumber(fog.end)}, {key, formatNumber(fog.start)}}});
         const auto distances = distancesOf(about.scene, pass);
         report.add(key,
-                   fmt::format("the fog ends where it starts, at {}: OpenGL divides by 0, and drivers differ",
-                               formatNumber(fog.end)),
+                   Sentence("the fog ends where it starts, at {0}: OpenGL divides by 0, and drivers differ",
+                            ProperName{formatNumber(fog.end)}),
                    fittingFog(fog, path, distances.value_or(Distances{fog.start, fog.start + 1})));
     });
 }
@@ -134,14 +135,14 @@ void fogOfNoUse(const Case& about, Report& report) {
         const std::string where = path + decisiveKey(fog);
         if (most < faint)
             report.add(where,
-                       fmt::format("the nearest object in view is {} away, where this fog leaves {} % of a "
-                                   "colour: everything is hidden",
-                                   rounded(distances->nearest), rounded(most * 100)),
+                       Sentence("the nearest object in view is {0} away, where this fog leaves {1} % of a "
+                                "colour: everything is hidden",
+                                ProperName{rounded(distances->nearest)}, ProperName{rounded(most * 100)}),
                        fittingFog(fog, path, *distances));
         else if (least > 1 - 0.5F / 255) // which rounding takes away
             report.add(where,
-                       fmt::format("the farthest object in view is {} away, where this fog hides nothing yet",
-                                   rounded(distances->farthest)),
+                       Sentence("the farthest object in view is {0} away, where this fog hides nothing yet",
+                                ProperName{rounded(distances->farthest)}),
                        fittingFog(fog, path, *distances));
     });
 }
@@ -169,7 +170,7 @@ void fogColor(const Case& about, Report& report) {
 
 void otherFog(const Case& about, Report& report) {
     forEachFog(about.scene, [&](const Pass& pass, const std::string& path) {
-        const auto idle = [&](std::initializer_list<Key> keys, const std::string& reason) {
+        const auto idle = [&](std::initializer_list<Key> keys, const Sentence& reason) {
             for (const Key key : keys)
                 report.add(path + key(), reason);
         };
@@ -178,10 +179,9 @@ void otherFog(const Case& about, Report& report) {
                   keyOf<&Fog::color>},
                  "the fog is off");
         else if (pass.fog.mode == FogMode::Linear)
-            idle({keyOf<&Fog::density>}, fmt::format("{} has a start and an end", nameOf(pass.fog.mode)));
+            idle({keyOf<&Fog::density>}, Sentence("{0} has a start and an end", named(pass.fog.mode)));
         else
-            idle({keyOf<&Fog::start>, keyOf<&Fog::end>},
-                 fmt::format("{} has a density", nameOf(pass.fog.mode)));
+            idle({keyOf<&Fog::start>, keyOf<&Fog::end>}, Sentence("{0} has a density", named(pass.fog.mode)));
     });
 }
 

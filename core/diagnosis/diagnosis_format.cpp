@@ -4,8 +4,6 @@
 #include "texplorer/image/convert.h"
 #include "texplorer/reference/sampling/lod.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cstdlib>
 
@@ -26,7 +24,7 @@ void forEachShown(const Case& about, Visit visit) {
 /// The format of eight bits without a curve that has the same components.
 Fix plainFormat(const std::string& path, InternalFormat format) {
     const InternalFormat plain = internalFormat(baseFormat(format));
-    return {fmt::format("Make it {}", nameOf(plain)),
+    return {Sentence("Make it {0}", named(plain)),
             {{path + keyOf<&Texture::internalFormat>(), nameOf(plain)}}};
 }
 
@@ -70,9 +68,9 @@ void banding(const Case& about, Report& report) {
         const auto& bits = factsOf(texture.internalFormat).bits;
         const int most = *std::ranges::max_element(bits);
         report.add(path + keyOf<&Texture::internalFormat>(),
-                   fmt::format("colours change slowly in this image, and {} has at most {} steps for a "
-                               "component: bands show",
-                               nameOf(texture.internalFormat), 1 << most),
+                   Sentence("colours change slowly in this image, and {0} has at most {1} steps for a "
+                            "component: bands show",
+                            named(texture.internalFormat), 1 << most),
                    plainFormat(path, texture.internalFormat));
     });
 }
@@ -81,12 +79,11 @@ void banding(const Case& about, Report& report) {
 void decodedOnly(const Case& about, Report& report) {
     forEachShown(about, [&](const Texture& texture, const TextureFacts&, const std::string& path) {
         if (isSrgb(texture.internalFormat))
-            report.add(
-                path + keyOf<&Texture::internalFormat>(),
-                fmt::format("{} converts the image's colours to amounts of light, and nothing converts "
-                            "them back to sRGB: the picture is darker than the image",
-                            nameOf(texture.internalFormat)),
-                plainFormat(path, texture.internalFormat));
+            report.add(path + keyOf<&Texture::internalFormat>(),
+                       Sentence("{0} converts the image's colours to amounts of light, and nothing converts "
+                                "them back to sRGB: the picture is darker than the image",
+                                named(texture.internalFormat)),
+                       plainFormat(path, texture.internalFormat));
     });
 }
 
@@ -96,12 +93,11 @@ void averagedAsStored(const Case& about, Report& report) {
             texture.mipmaps == MipPolicy::Generated || texture.mipmaps == MipPolicy::Missing;
         if (isSrgb(texture.internalFormat) && averages && !texture.mipGamma &&
             reference::wantsMipmaps(texture.minFilter))
-            report.add(
-                path + keyOf<&Texture::mipGamma>(),
-                fmt::format("the levels are averages of stored numbers, not of the amounts of light that "
-                            "{} converts them to: seen from afar the texture is too dark",
-                            nameOf(texture.internalFormat)),
-                Fix{"Average light", {{path + keyOf<&Texture::mipGamma>(), "true"}}});
+            report.add(path + keyOf<&Texture::mipGamma>(),
+                       Sentence("the levels are averages of stored numbers, not of the amounts of light that "
+                                "{0} converts them to: seen from afar the texture is too dark",
+                                named(texture.internalFormat)),
+                       Fix{"Average light", {{path + keyOf<&Texture::mipGamma>(), "true"}}});
     });
 }
 

@@ -1,6 +1,5 @@
 // Passes and models.
 
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/diagnosis/diagnosis_rules.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"
@@ -42,13 +41,13 @@ void nothingPasses(const Case& about, Report& report) {
         if (pass.alphaTest && pass.alphaFunc == CompareFunc::Never)
             report.add(
                 path + keyOf<&Pass::alphaFunc>(),
-                fmt::format("{} lets no fragment through: this pass draws nothing", nameOf(pass.alphaFunc)),
+                Sentence("{0} lets no fragment through: this pass draws nothing", named(pass.alphaFunc)),
                 Fix{"Switch the alpha test off", {{path + keyOf<&Pass::alphaTest>(), "false"}}});
         if (pass.depthTest && pass.depthFunc == CompareFunc::Never)
             report.add(
                 path + keyOf<&Pass::depthFunc>(),
-                fmt::format("{} lets no fragment through: this pass draws nothing", nameOf(pass.depthFunc)),
-                Fix{fmt::format("Set {}", nameOf(CompareFunc::LessEqual)),
+                Sentence("{0} lets no fragment through: this pass draws nothing", named(pass.depthFunc)),
+                Fix{Sentence("Set {0}", named(CompareFunc::LessEqual)),
                     {{path + keyOf<&Pass::depthFunc>(), nameOf(CompareFunc::LessEqual)}}});
     });
 }
@@ -65,7 +64,7 @@ void hiddenPass(const Case& about, Report& report) {
             report.add(path + keyOf<&Pass::depthFunc>(),
                        "an earlier pass has drawn the same surfaces, and no depth is less than itself: "
                        "this pass draws nothing",
-                       Fix{fmt::format("Set {}", nameOf(CompareFunc::LessEqual)),
+                       Fix{Sentence("Set {0}", named(CompareFunc::LessEqual)),
                            {{path + keyOf<&Pass::depthFunc>(), nameOf(CompareFunc::LessEqual)}}});
         const bool writes = strict || pass.depthFunc == CompareFunc::LessEqual;
         if (pass.depthTest && writes && !pass.alphaTest) {
@@ -127,7 +126,7 @@ void noFragmentTest(const Case& about, Report& report) {
             report.add(path + keyOf<&Pass::alphaRef>(), "the alpha test is off");
         } else if (pass.alphaFunc == CompareFunc::Always || pass.alphaFunc == CompareFunc::Never)
             report.add(path + keyOf<&Pass::alphaRef>(),
-                       fmt::format("{} compares nothing", nameOf(pass.alphaFunc)));
+                       Sentence("{0} compares nothing", named(pass.alphaFunc)));
         if (!pass.blend) {
             report.add(path + keyOf<&Pass::blendSrc>(), "blending is off");
             report.add(path + keyOf<&Pass::blendDst>(), "blending is off");
@@ -165,13 +164,13 @@ void badCoordinates(const Case& about, Report& report, bool wantsInfinite) {
             const auto first = std::ranges::find_if(list, isBad);
             if (first == list.end())
                 continue;
-            const std::string vertex = std::to_string(first - list.begin());
+            const auto vertex = first - list.begin();
             const auto others = std::count_if(first + 1, list.end(), isBad);
-            std::string sentence =
-                wantsInfinite ? fmt::format("a coordinate of vertex {} is infinite or not a number", vertex)
-                              : fmt::format("q of vertex {} is 0, but s, t and r are divided by q", vertex);
+            Sentence sentence =
+                wantsInfinite ? Sentence("a coordinate of vertex {0} is infinite or not a number", vertex)
+                              : Sentence("q of vertex {0} is 0, but s, t and r are divided by q", vertex);
             if (others > 0)
-                sentence = fmt::format("{}; the same is true of {} more", sentence, others);
+                sentence = Sentence("{0}; the same is true of {1} more", sentence, others);
             report.add(fmt::format("{}[{}]", texCoordsPath(m, u), vertex), std::move(sentence));
         }
     }
@@ -197,8 +196,8 @@ void unreadCoordinates(const Case& about, Report& report) {
                     unit.texGenQ.enabled);
         });
         for (std::size_t m = 0; m < about.scene.models.size() && (off || generated); ++m)
-            report.add(texCoordsPath(m, u), off ? fmt::format("unit {} is off", u)
-                                                : fmt::format("unit {} generates all of its coordinates", u));
+            report.add(texCoordsPath(m, u), off ? Sentence("unit {0} is off", u)
+                                                : Sentence("unit {0} generates all of its coordinates", u));
     }
 }
 

@@ -64,11 +64,11 @@ public:
         severity_ = severity;
         reportedByRenderer_ = reportedByRenderer;
     }
-    void add(std::string path, std::string sentence, std::vector<Fix> fixes = {}) {
+    void add(std::string path, Sentence sentence, std::vector<Fix> fixes = {}) {
         findings_.push_back(
             {rule_, severity_, std::move(path), std::move(sentence), std::move(fixes), reportedByRenderer_});
     }
-    void add(std::string path, std::string sentence, Fix fix) {
+    void add(std::string path, Sentence sentence, Fix fix) {
         add(std::move(path), std::move(sentence), std::vector{std::move(fix)});
     }
 
@@ -130,6 +130,12 @@ void forEachUnit(const Scene& scene, Visit visit) {
 template<Enumerated E>
 [[nodiscard]] std::string nameOf(E value) {
     return std::string(rowOf(value).name);
+}
+
+/// The same in a sentence.
+template<Enumerated E>
+[[nodiscard]] ProperName named(E value) {
+    return {rowOf(value).name};
 }
 
 } // namespace texplorer::diagnosis

@@ -5,7 +5,6 @@
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"
 
-#include <fmt/core.h>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -90,9 +89,9 @@ void darkBack(const Case& about, Report& report) {
             const std::string& path = pathOf<&Scene::light, &Light::twoSide>();
             return report.add(
                 path,
-                fmt::format("the back of {} is in view but lit with the normals of its front, which look "
-                            "away from the light: it stays dark",
-                            elementOf<&Scene::models>(model)),
+                Sentence("the back of {0} is in view but lit with the normals of its front, which look "
+                         "away from the light: it stays dark",
+                         ProperName{elementOf<&Scene::models>(model)}),
                 Fix{"Light both sides", {{path, "true"}}});
         }
     }

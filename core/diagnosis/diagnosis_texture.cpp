@@ -11,7 +11,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace texplorer::diagnosis {
 namespace {
@@ -41,7 +40,7 @@ void missingFile(const Case& about, Report& report) {
             return;
         report.add(path + keyOf<&Texture::file>(),
                    texture.file.empty() ? "the texture needs an image file, but names none"
-                                        : fmt::format("{} can't be found or read", texture.file));
+                                        : Sentence("{0} can't be found or read", ProperName{texture.file}));
     });
 }
 
@@ -50,10 +49,10 @@ void missingPart(const Case& about, Report& report) {
     forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
         const auto add = [&](const std::string& part, const std::string& file, std::string_view effect) {
             report.add(fmt::format("{}{}.{}", path, part, keyOf<&Texture::file>()),
-                       fmt::format("{}: {}",
-                                   file.empty() ? "an image file is needed, but none is named"
-                                                : fmt::format("{} can't be found or read", file),
-                                   effect));
+                       Sentence("{0}: {1}",
+                                file.empty() ? "an image file is needed, but none is named"
+                                             : Sentence("{0} can't be found or read", ProperName{file}),
+                                effect));
         };
         for (std::size_t i = 0; i < texture.levels.size() && texture.mipmaps == MipPolicy::Given; ++i) {
             if (!facts.pictures.level(i))
@@ -73,16 +72,17 @@ struct Cure {
 };
 
 /// The settings that section 3.8.10 makes completeness depend on, each set so that the levels that are there
-/// may do: make the others, read no more than these, read none but the base level.
-std::vector<Cure> curesOf(const Texture& texture, int lastLevel, const std::string& path) {
+/// may do: make the others, read no more than these, read none but the base level. `beginsAt0`: after the
+/// base level was set to 0.
+std::vector<Cure> curesOf(const Texture& texture, int lastLevel, const std::string& path, bool beginsAt0) {
     std::vector<Cure> cures;
-    const auto add = [&](std::string label, const std::string& key, std::string value, auto set) {
+    const auto add = [&](Sentence label, const std::string& key, std::string value, auto set) {
         Texture cured = texture;
         set(cured);
         cures.push_back({{std::move(label), {{path + key, std::move(value)}}}, std::move(cured)});
     };
     const auto begin = [&](int level) {
-        add(fmt::format("Begin at level {}", level), keyOf<&Texture::baseLevel>(), std::to_string(level),
+        add(Sentence("Begin at level {0}", level), keyOf<&Texture::baseLevel>(), std::to_string(level),
             [&](Texture& cured) { cured.baseLevel = level; });
     };
     if (texture.baseLevel <= lastLevel && texture.baseLevel > texture.maxLevel)
@@ -92,29 +92,35 @@ std::vector<Cure> curesOf(const Texture& texture, int lastLevel, const std::stri
     if (texture.mipmaps == MipPolicy::Given) {
         for (std::size_t i = 0; i < texture.levels.size(); ++i) {
             if (texture.levels[i].source == SourceKind::File)
-                add(fmt::format("Put a pattern on level {}", i + 1),
+                add(beginsAt0 ? Sentence("Begin at level 0 and put a pattern on level {0}", i + 1)
+                              : Sentence("Put a pattern on level {0}", i + 1),
                     fmt::format("{}.{}", elementOf<&Texture::levels>(i), keyOf<&GivenLevel::source>()),
                     nameOf(SourceKind::Pattern),
                     [i](Texture& cured) { cured.levels[i].source = SourceKind::Pattern; });
         }
     }
     if (texture.mipmaps != MipPolicy::Generated)
-        add("Generate mipmaps", keyOf<&Texture::mipmaps>(), nameOf(MipPolicy::Generated),
+        add(beginsAt0 ? "Begin at level 0 and generate mipmaps" : "Generate mipmaps",
+            keyOf<&Texture::mipmaps>(), nameOf(MipPolicy::Generated),
             [](Texture& cured) { cured.mipmaps = MipPolicy::Generated; });
     for (int level = lastLevel; level >= texture.baseLevel; --level)
-        add(fmt::format("End at level {}", level), keyOf<&Texture::maxLevel>(), std::to_string(level),
+        add(beginsAt0 ? Sentence("Begin at level 0 and end at level {0}", level)
+                      : Sentence("End at level {0}", level),
+            keyOf<&Texture::maxLevel>(), std::to_string(level),
             [&](Texture& cured) { cured.maxLevel = level; });
     if (reference::wantsMipmaps(texture.minFilter)) {
         const MinFilter filter =
             reference::isLinear(texture.minFilter) ? MinFilter::Linear : MinFilter::Nearest;
-        add(fmt::format("Set {}", nameOf(filter)), keyOf<&Texture::minFilter>(), nameOf(filter),
-            [&](Texture& cured) { cured.minFilter = filter; });
+        add(beginsAt0 ? Sentence("Begin at level 0 and set {0}", named(filter))
+                      : Sentence("Set {0}", named(filter)),
+            keyOf<&Texture::minFilter>(), nameOf(filter), [&](Texture& cured) { cured.minFilter = filter; });
     }
     return cures;
 }
 
 /// Those of them that make the texture complete for all of its targets, one for each setting.
-std::vector<Fix> fixesOf(const Texture& texture, const TextureFacts& facts, const std::string& path) {
+std::vector<Fix> fixesOf(const Texture& texture, const TextureFacts& facts, const std::string& path,
+                         bool beginsAt0 = false) {
     const auto completes = [&](const Texture& cured) {
         return std::ranges::all_of(facts.targets, [&](const TargetFacts& each) {
             return factsAs(each.target, cured, facts.pictures).completeness.complete();
@@ -126,7 +132,7 @@ std::vector<Fix> fixesOf(const Texture& texture, const TextureFacts& facts, cons
             lastLevel = std::max(lastLevel, each.plan.levels.back().number);
     }
     std::vector<Fix> fixes;
-    for (Cure& cure : curesOf(texture, lastLevel, path)) {
+    for (Cure& cure : curesOf(texture, lastLevel, path, beginsAt0)) {
         const bool settled = std::ranges::any_of(fixes, [&](const Fix& fix) {
             return fix.assignments.front().path == cure.fix.assignments.front().path;
         });
@@ -137,12 +143,9 @@ std::vector<Fix> fixesOf(const Texture& texture, const TextureFacts& facts, cons
         return fixes;
     Texture whole = texture; // one setting alone does not do
     whole.baseLevel = 0;
-    fixes = fixesOf(whole, facts, path);
-    for (Fix& fix : fixes) {
-        fix.label.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(fix.label.front())));
-        fix.label = fmt::format("Begin at level 0 and {}", fix.label);
+    fixes = fixesOf(whole, facts, path, true);
+    for (Fix& fix : fixes)
         fix.assignments.push_back({path + keyOf<&Texture::baseLevel>(), "0"});
-    }
     return fixes;
 }
 
@@ -169,8 +172,7 @@ void incomplete(const Case& about, Report& report) {
         });
         if (broken == facts.targets.end())
             return;
-        const std::string sentence =
-            fmt::format("{}; drawn as if the unit were off", broken->completeness.reason);
+        const Sentence sentence = Sentence("{0}; drawn as if the unit were off", broken->completeness.reason);
         if (const std::string level = wrongLevel(texture, broken->completeness); !level.empty()) {
             report.add(path + level, sentence, fixesOf(texture, facts, path));
             return;
@@ -193,8 +195,8 @@ void lodRange(const Case& about, Report& report) {
         const std::string low = formatNumber(texture.minLod);
         const std::string high = formatNumber(texture.maxLod);
         report.add(path + keyOf<&Texture::minLod>(),
-                   fmt::format("the min LOD, {}, exceeds the max LOD, {}: the picture is undefined in OpenGL",
-                               low, high),
+                   Sentence("the min LOD, {0}, exceeds the max LOD, {1}: the picture is undefined in OpenGL",
+                            ProperName{low}, ProperName{high}),
                    Fix{"Exchange them",
                        {{path + keyOf<&Texture::minLod>(), high}, {path + keyOf<&Texture::maxLod>(), low}}});
     });
@@ -208,10 +210,10 @@ void anisotropyLimit(const Case& about, Report& report) {
         const std::string most = formatNumber(limit);
         report.add(path + keyOf<&Texture::maxAnisotropy>(),
                    limit <= 1
-                       ? std::string("the driver has no anisotropic filtering")
-                       : fmt::format("an anisotropy of {} exceeds the driver's {}, which is used instead",
-                                     formatNumber(texture.maxAnisotropy), most),
-                   Fix{fmt::format("Set anisotropy to {}", most),
+                       ? "the driver has no anisotropic filtering"
+                       : Sentence("an anisotropy of {0} exceeds the driver's {1}, which is used instead",
+                                  ProperName{formatNumber(texture.maxAnisotropy)}, ProperName{most}),
+                   Fix{Sentence("Set anisotropy to {0}", ProperName{most}),
                        {{path + keyOf<&Texture::maxAnisotropy>(), most}}});
     });
 }
@@ -264,7 +266,7 @@ void addHeldBack(const Case& about, std::string_view driver, Report& report) {
         const std::string path =
             fmt::format("{}.{}", elementOf<&Scene::textures>(i), keyOf<&Texture::maxAnisotropy>());
         for (const std::string_view sentence : sentences[i])
-            report.add(path, std::string(sentence), Fix{"Set anisotropy to 1", {{path, "1"}}});
+            report.add(path, sentence, Fix{"Set anisotropy to 1", {{path, "1"}}});
     }
 }
 
@@ -302,9 +304,9 @@ void nonPowerOfTwo(const Case& about, Report& report) {
         if (texture.mipmaps != MipPolicy::FromFile)
             fixes = {{"Scale it", {{path + keyOf<&Texture::npot>(), nameOf(NpotPolicy::PowerOfTwo)}}}};
         report.add(path + keyOf<&Texture::npot>(),
-                   fmt::format("{} texels: the driver supports powers of two only (no "
-                               "GL_ARB_texture_non_power_of_two)",
-                               extentsOf(plan.levels.front())),
+                   Sentence("{0} texels: the driver supports powers of two only (no "
+                            "GL_ARB_texture_non_power_of_two)",
+                            ProperName{extentsOf(plan.levels.front())}),
                    std::move(fixes));
     });
 }
@@ -319,8 +321,8 @@ void sizeLimit(const Case& about, Report& report) {
             if (std::max({base.width, base.height, base.depth}) <= limit)
                 continue;
             report.add(path + imageKey(texture)(),
-                       fmt::format("{} texels exceed the driver's {} for {}: drawn without it",
-                                   extentsOf(base), limit, nameOf(each.target)));
+                       Sentence("{0} texels exceed the driver's {1} for {2}: drawn without it",
+                                ProperName{extentsOf(base)}, limit, named(each.target)));
         }
     });
 }
@@ -338,10 +340,10 @@ void levelSizeLimit(const Case& about, Report& report) {
                     continue;
                 report.add(path + elementOf<&Texture::levels>(static_cast<std::size_t>(level.number) - 1),
                            most == 0
-                               ? fmt::format("the driver has no level {}: uploaded without it", level.number)
-                               : fmt::format("{} texels exceed the driver's {} for level {}: uploaded "
-                                             "without it",
-                                             extentsOf(level), most, level.number));
+                               ? Sentence("the driver has no level {0}: uploaded without it", level.number)
+                               : Sentence("{0} texels exceed the driver's {1} for level {2}: uploaded "
+                                          "without it",
+                                          ProperName{extentsOf(level)}, most, level.number));
             }
         }
     });
@@ -352,9 +354,8 @@ void lacksFormat(const Case& about, Report& report) {
         const std::optional<BlockFormat>& blocks = facts.targets.front().plan.blocks;
         if (!blocks || (isS3tc(*blocks) ? about.driver.s3tc : about.driver.rgtc))
             return;
-        report.add(
-            path + keyOf<&Texture::compression>(),
-            fmt::format("the driver has no {}: the texture is uploaded decompressed", nameOf(*blocks)));
+        report.add(path + keyOf<&Texture::compression>(),
+                   Sentence("the driver has no {0}: the texture is uploaded decompressed", named(*blocks)));
     });
 }
 

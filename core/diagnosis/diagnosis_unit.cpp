@@ -1,7 +1,6 @@
 // Texture units: what they ask for and can't have, what the environment leaves undefined, coordinates that
 // collapse, and what changes nothing.
 
-#include "texplorer/base/count.h"
 #include "texplorer/diagnosis/color_flow.h"
 #include "texplorer/gl/combine_arguments.h"
 #include "texplorer/scene/drawn_models.h"
@@ -36,13 +35,13 @@ void missingTexture(const Case& about, Report& report) {
         if (count > 0)
             fix = {"Bind texture 0", {{path + keyOf<&Unit::texture>(), "0"}}};
         report.add(path + keyOf<&Unit::texture>(),
-                   fmt::format("there is no texture {}, the scene has {}", unit.texture, count),
+                   Sentence("there is no texture {0}, the scene has {1}", unit.texture, count),
                    std::move(fix));
     });
 }
 
 /// A pass that blends does what a unit's environment does, where that is a product or a sum.
-std::string insteadOfUnit(EnvMode mode) {
+Sentence insteadOfUnit(EnvMode mode) {
     struct Row {
         EnvMode mode;
         BlendFactor source;
@@ -53,9 +52,9 @@ std::string insteadOfUnit(EnvMode mode) {
                               Row{EnvMode::Decal, BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha}};
     const auto* found = std::ranges::find(rows, mode, &Row::mode);
     return found == rows.end()
-               ? std::string("use more passes with blending instead of more units")
-               : fmt::format("one more pass with its texture alone, blended with {} and {}, does the same",
-                             nameOf(found->source), nameOf(found->destination));
+               ? "use more passes with blending instead of more units"
+               : Sentence("one more pass with its texture alone, blended with {0} and {1}, does the same",
+                          named(found->source), named(found->destination));
 }
 
 void unitLimit(const Case& about, Report& report) {
@@ -67,8 +66,9 @@ void unitLimit(const Case& about, Report& report) {
                 continue;
             const std::string path = unitPath(p, u) + keyOf<&Unit::enabled>();
             report.add(path,
-                       fmt::format("the driver has {}: drawn without this one; {}",
-                                   countOf(limit, "texture unit"), insteadOfUnit(unit.envMode)),
+                       Sentence("the driver has {0}: drawn without this one; {1}",
+                                Sentence::plural("{0} texture unit", "{0} texture units", limit),
+                                insteadOfUnit(unit.envMode)),
                        Fix{"Switch the unit off", {{path, "false"}}});
         }
     }
@@ -84,9 +84,9 @@ void undefinedDecal(const Case& about, Report& report) {
             return;
         report.add(
             path + keyOf<&Unit::envMode>(),
-            fmt::format("{} of a {} texture is undefined: it needs {} or {}", nameOf(unit.envMode),
-                        nameOf(facts->format), nameOf(BaseFormat::Rgb), nameOf(BaseFormat::Rgba)),
-            Fix{fmt::format("Make it {}", nameOf(BaseFormat::Rgba)),
+            Sentence("{0} of a {1} texture is undefined: it needs {2} or {3}", named(unit.envMode),
+                     named(facts->format), named(BaseFormat::Rgb), named(BaseFormat::Rgba)),
+            Fix{Sentence("Make it {0}", named(BaseFormat::Rgba)),
                 {{fmt::format("{}.{}", elementOf<&Scene::textures>(static_cast<std::size_t>(unit.texture)),
                               keyOf<&Texture::internalFormat>()),
                   nameOf(BaseFormat::Rgba)}}});
@@ -107,21 +107,20 @@ void collapsingMatrix(const Case& about, Report& report) {
                            Fix{"Rotate about r", {{amount, "0,0,1"}}});
             if (step.op != MatrixOp::Scale)
                 continue;
-            std::string collapsed;
+            std::vector<Sentence> collapsed;
             std::string mended;
             for (int axis = 0; axis < 3; ++axis) {
                 const bool zero = step.amount[axis] == 0 && step.rate[axis] == 0;
                 if (zero && axis < coordinatesOf(unit.target))
-                    collapsed += (collapsed.empty() ? "" : " and ") +
-                                 std::string(1, letters[static_cast<std::size_t>(axis)]);
+                    collapsed.emplace_back(ProperName{letters.substr(static_cast<std::size_t>(axis), 1)});
                 mended += (axis > 0 ? "," : "") + std::string(zero ? "1" : formatNumber(step.amount[axis]));
             }
             if (!collapsed.empty())
                 report.add(
                     amount,
-                    fmt::format(
-                        "a scale of 0 gives all vertices the same {}: the image shrinks to a line or a texel",
-                        collapsed),
+                    Sentence(
+                        "a scale of 0 gives all vertices the same {0}: the image shrinks to a line or a texel",
+                        Sentence::joined("{0} and {1}", collapsed)),
                     Fix{"Scale by 1", {{amount, mended}}});
         }
     });
@@ -152,10 +151,9 @@ void flatDirection(const Case& about, Report& report) {
             }
             report.add(
                 unitPath(p, u) + keyOf<&Unit::target>(),
-                fmt::format(
-                    "a cube map uses s, t and r as a direction, but r is 0 at every vertex: only a line "
-                    "around the sides of the cube is seen; {} or {} generates all three",
-                    nameOf(TexGenMode::ReflectionMap), nameOf(TexGenMode::NormalMap)),
+                Sentence("a cube map uses s, t and r as a direction, but r is 0 at every vertex: only a line "
+                         "around the sides of the cube is seen; {0} or {1} generates all three",
+                         named(TexGenMode::ReflectionMap), named(TexGenMode::NormalMap)),
                 std::move(fix));
         }
     }
@@ -203,9 +201,9 @@ void noEnvColor(const Case& about, Report& report) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         if (!readsConstant(about, unit))
             report.add(path + keyOf<&Unit::envColor>(),
-                       fmt::format("the environment colour is used only by {} and by {}'s {}",
-                                   nameOf(EnvMode::Blend), nameOf(EnvMode::Combine),
-                                   nameOf(CombineSource::Constant)));
+                       Sentence("the environment colour is used only by {0} and by {1}'s {2}",
+                                named(EnvMode::Blend), named(EnvMode::Combine),
+                                named(CombineSource::Constant)));
     });
 }
 
@@ -217,7 +215,7 @@ void noLodBias(const Case& about, Report& report) {
         if (static_cast<std::uint32_t>(texture.minFilter) == static_cast<std::uint32_t>(texture.magFilter))
             report.add(
                 path + keyOf<&Unit::lodBias>(),
-                fmt::format("{} reads no mipmaps, and both filters are the same", nameOf(texture.minFilter)));
+                Sentence("{0} reads no mipmaps, and both filters are the same", named(texture.minFilter)));
     });
 }
 
@@ -230,9 +228,9 @@ void noGeneration(const Case& about, Report& report) {
         for (const Generated& each : generated) {
             const TexGen& state = unit.*each.state;
             const std::string own = fmt::format("{}{}.", path, each.key());
-            const std::string reason = state.enabled
-                                           ? fmt::format("{} does not read this plane", nameOf(state.mode))
-                                           : "the vertex's own coordinate is taken";
+            const Sentence reason = state.enabled
+                                        ? Sentence("{0} does not read this plane", named(state.mode))
+                                        : "the vertex's own coordinate is taken";
             if (!state.enabled)
                 report.add(own + keyOf<&TexGen::mode>(), reason);
             if (!state.enabled || state.mode != TexGenMode::ObjectLinear)
@@ -248,7 +246,7 @@ void noGeneration(const Case& about, Report& report) {
             const Generated& each = generated[static_cast<std::size_t>(axis)];
             if ((unit.*each.state).enabled)
                 report.add(fmt::format("{}{}.{}", path, each.key(), keyOf<&TexGen::enabled>()),
-                           fmt::format("{} ignores this coordinate", nameOf(unit.target)));
+                           Sentence("{0} ignores this coordinate", named(unit.target)));
         }
     });
 }
@@ -284,7 +282,7 @@ void overruledUnit(const Case& about, Report& report) {
         const auto later = about.works(unit) ? overrulerOf(about, pass, index) : std::nullopt;
         if (!later)
             return;
-        const std::string reason = fmt::format("unit {} replaces the result of the units before it", *later);
+        const Sentence reason = Sentence("unit {0} replaces the result of the units before it", *later);
         if (!isAsked(about, pass, index))
             return report.add(path.substr(0, path.size() - 1), reason);
         for (const Key key : {keyOf<&Unit::envMode>, keyOf<&Unit::envColor>, keyOf<&Unit::combine>})
@@ -316,7 +314,7 @@ void replacedSteps(const Case& about, Report& report) {
                 continue;
             for (std::size_t i = 0; i < last; ++i)
                 report.add(path + elementOf<&Unit::matrix>(i),
-                           fmt::format("step {} loads another matrix instead", last + 1));
+                           Sentence("step {0} loads another matrix instead", last + 1));
             break;
         }
     });
@@ -342,12 +340,12 @@ void noTangent(const Case& about, Report& report) {
                         fmt::format("{}{}.{}", unitPath(p, u), keyOf<&Unit::emboss>(),
                                     keyOf<&Emboss::enabled>()),
                         missing == tangents.size()
-                            ? fmt::format("at all of the {} vertices of models[{}] the coordinates give no "
-                                          "direction on the surface, so they don't follow the light",
-                                          missing, m)
-                            : fmt::format("at {} of the {} vertices of models[{}] the coordinates give no "
-                                          "direction on the surface, so they don't follow the light",
-                                          missing, tangents.size(), m));
+                            ? Sentence("at all of the {0} vertices of models[{1}] the coordinates give no "
+                                       "direction on the surface, so they don't follow the light",
+                                       missing, m)
+                            : Sentence("at {0} of the {1} vertices of models[{2}] the coordinates give no "
+                                       "direction on the surface, so they don't follow the light",
+                                       missing, tangents.size(), m));
             }
         }
     }
@@ -388,7 +386,7 @@ void otherOperation(const Case& about, Report& report) {
                 std::string readers;
                 for (const MatrixOp op : row.operations)
                     readers += (readers.empty() ? "" : ", ") + nameOf(op);
-                report.add(step + row.key(), fmt::format("only these steps read it: {}", readers));
+                report.add(step + row.key(), Sentence("only these steps read it: {0}", ProperName{readers}));
             }
         }
     });

@@ -1,6 +1,5 @@
 // Vertices whose normals or coordinates OpenGL leaves undefined, or that drivers lack the bits for.
 
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/diagnosis/diagnosis_rules.h"
 #include "texplorer/reference/shading/coordinate_reach.h"
 #include "texplorer/reference/shading/coordinates.h"
@@ -38,8 +37,8 @@ bool readsNormals(const Pass& pass) {
            });
 }
 
-std::string andMore(std::string sentence, std::size_t others) {
-    return others > 0 ? fmt::format("{}; the same is true of {} more", sentence, others) : sentence;
+Sentence andMore(const Sentence& sentence, std::size_t others) {
+    return others > 0 ? Sentence("{0}; the same is true of {1} more", sentence, others) : sentence;
 }
 
 /// With (0, 0, 1) in the place of what has no length, which is what glNormal begins with. A long list makes
@@ -81,9 +80,9 @@ void zeroNormal(const Case& about, Report& report) {
             fmt::format("{}.{}", elementOf<&Scene::models>(m), pathOf<&Model::mesh, &MeshData::normals>());
         report.add(
             path,
-            andMore(fmt::format("the normal of vertex {} has length 0: lighting and generated coordinates "
-                                "are undefined in OpenGL",
-                                vertices.front()),
+            andMore(Sentence("the normal of vertex {0} has length 0: lighting and generated coordinates "
+                             "are undefined in OpenGL",
+                             vertices.front()),
                     vertices.size() - 1),
             normalFixes(about.scene, m, path));
     }
@@ -107,9 +106,9 @@ void sphereMapRim(const Case& about, Report& report) {
                 continue;
             report.add(
                 path + keyOf<&Unit::texGenS>(),
-                andMore(fmt::format("at vertex {} of models[{}] the reflection points straight away from "
-                                    "the eye and {} divides by 0: s and t are undefined there",
-                                    first - mesh.vertices.begin(), m, nameOf(TexGenMode::SphereMap)),
+                andMore(Sentence("at vertex {0} of models[{1}] the reflection points straight away from "
+                                 "the eye and {2} divides by 0: s and t are undefined there",
+                                 first - mesh.vertices.begin(), m, named(TexGenMode::SphereMap)),
                         static_cast<std::size_t>(std::count_if(first + 1, mesh.vertices.end(), isOnRim))));
         }
     });
@@ -136,10 +135,10 @@ void farCoordinates(const Case& about, Report& report) {
         if (most < 0x1p15F) // 1/32 of a texel
             return;
         report.add(unit.matrix.empty() ? path.substr(0, path.size() - 1) : path + keyOf<&Unit::matrix>(),
-                   fmt::format("coordinates reach {}, {} texels from 0, where a float has few bits left for "
-                               "fractions of a texel: renderers may be off by {} of a texel",
-                               formatNumber(farthest), formatNumber(std::round(most)),
-                               formatNumber(std::ceil(most * 0x1p-20F * 100) / 100)));
+                   Sentence("coordinates reach {0}, {1} texels from 0, where a float has few bits left for "
+                            "fractions of a texel: renderers may be off by {2} of a texel",
+                            ProperName{formatNumber(farthest)}, ProperName{formatNumber(std::round(most))},
+                            ProperName{formatNumber(std::ceil(most * 0x1p-20F * 100) / 100)}));
     });
 }
 

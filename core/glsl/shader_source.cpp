@@ -43,8 +43,8 @@ public:
         const ShaderPiece* piece = pieces_.find(fileName, name);
         if (!piece) {
             if (!error_)
-                error_ =
-                    Error{ErrorCode::NotFound, fmt::format("the piece \"{}\" is missing", name), fileName};
+                error_ = Error{ErrorCode::NotFound,
+                               Sentence("the piece \"{0}\" is missing", ProperName{name}), fileName};
             return;
         }
         int line = piece->firstLine;

@@ -1,6 +1,6 @@
 #include "texplorer/golden/golden.h"
 
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/codec/texture_file.h"
 #include "texplorer/compare/comparison.h"
@@ -34,7 +34,8 @@ Result<void> checkFramebuffer(const Image& image) {
     if (image.pixels.size() != image.byteCount())
         return fail(ErrorCode::OutOfRange,
                     Sentence("a framebuffer of {0} × {1} pixels needs {2}, found {3}", image.width,
-                             image.height, countOf(image.byteCount(), "byte"), image.pixels.size()));
+                             image.height, Sentence::plural("{0} byte", "{0} bytes", image.byteCount()),
+                             image.pixels.size()));
     return {};
 }
 
@@ -45,9 +46,9 @@ Result<Image> loadPicture(const fs::path& path) {
     const Surface& base = file->surface(0, 0);
     if (file->faces > 1 || depthOf(base) > 1)
         return fail(ErrorCode::Unsupported,
-                    Sentence("expected one picture, found {0}", file->faces > 1
-                                                                    ? countOf(file->faces, "face")
-                                                                    : countOf(depthOf(base), "slice")),
+                    Sentence("expected one picture, found {0}",
+                             file->faces > 1 ? Sentence::plural("{0} face", "{0} faces", file->faces)
+                                             : Sentence::plural("{0} slice", "{0} slices", depthOf(base))),
                     path.string());
     return uprightImage(*std::move(file));
 }
@@ -150,7 +151,7 @@ Result<GoldenCheck> checkGolden(int width, int height, std::span<const std::byte
     if (width < 1 || height < 1 || rgba.size() != framebuffer.byteCount())
         return fail(ErrorCode::OutOfRange,
                     Sentence("expected a framebuffer of {0} × {1} pixels with 4 bytes each, found {2}", width,
-                             height, countOf(rgba.size(), "byte")));
+                             height, Sentence::plural("{0} byte", "{0} bytes", rgba.size())));
     framebuffer.pixels.assign(rgba.begin(), rgba.end());
     if (options.rowsTopFirst)
         flipVertically(framebuffer);

@@ -2,6 +2,7 @@
 
 // The content of an image file for a texture: one picture, or faces and mip levels, compressed or not.
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/image/block_image.h"
 #include "texplorer/image/image.h"
 
@@ -21,7 +22,7 @@ enum class AlphaMeaning : std::uint8_t { None, Straight, Premultiplied, Unknown 
 /// Content of a file that is missing in its texture image, or in another file made of it.
 struct Loss {
     std::string_view what; ///< an identifier: "componentBits"
-    std::string sentence;  ///< "16 bits a component become 8"
+    Sentence sentence;     ///< "16 bits a component become 8"
     bool ofPixels = true;  ///< false: it describes the pixels, all of whose numbers stay
     bool operator==(const Loss&) const = default;
 };
@@ -45,11 +46,11 @@ struct TextureImage {
     bool fileTopFirst = true; ///< the order in the file: what a simple loader would show
     bool srgb = false;
     AlphaMeaning alpha = AlphaMeaning::None;
-    std::vector<std::string> notes;   ///< sentences about irregularities of the file that are tolerated
-    std::vector<std::string> remarks; ///< sentences about valid features of the file that are ignored
-    int componentBits = 8;            ///< of the file's widest component, if more than the 8 that are stored
-    std::vector<Loss> losses;         ///< of decoding, except those that follow from the other members
-    std::vector<FilePart> parts;      ///< only with DecodeLimits::everything
+    std::vector<Sentence> notes;   ///< sentences about irregularities of the file that are tolerated
+    std::vector<Sentence> remarks; ///< sentences about valid features of the file that are ignored
+    int componentBits = 8;         ///< of the file's widest component, if more than the 8 that are stored
+    std::vector<Loss> losses;      ///< of decoding, except those that follow from the other members
+    std::vector<FilePart> parts;   ///< only with DecodeLimits::everything
 
     /// `face` counts across layers: in other layers than the first, it is layer * faces + face.
     [[nodiscard]] const Surface& surface(int face, int level) const {

@@ -4,8 +4,6 @@
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/text/nearest_name.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <string>
@@ -52,14 +50,16 @@ constexpr std::array exampleRows{
 };
 
 /// "there is no example "cub"; did you mean "cube"?"
-std::string absentText(std::string_view file) {
+Sentence absentText(std::string_view file) {
     const auto stem = [](std::string_view name) { return name.substr(0, name.rfind(".json")); };
     std::vector<std::string_view> names;
     for (const Example& each : exampleRows)
         names.push_back(stem(each.file));
     const std::string_view near = nearestName(stem(file), names);
-    return fmt::format("there is no example {}{}", inQuotes(stem(file)),
-                       near.empty() ? std::string() : fmt::format("; did you mean {}?", inQuotes(near)));
+    const std::string name = inQuotes(stem(file));
+    return near.empty() ? Sentence("there is no example {0}", ProperName{name})
+                        : Sentence("there is no example {0}; did you mean {1}?", ProperName{name},
+                                   ProperName{inQuotes(near)});
 }
 
 } // namespace

@@ -45,7 +45,8 @@ void checkName(std::string_view name, const Rows& rows, const NameOf& nameOf, co
         names += fmt::format("{}{}", names.empty() ? "" : ", ", nameOf(row));
     }
     problems.push_back(
-        {ErrorCode::NotFound, fmt::format("expected one of {}, found {}", names, inQuotes(name)), where});
+        {ErrorCode::NotFound,
+         Sentence("expected one of {0}, found {1}", ProperName{names}, ProperName{inQuotes(name)}), where});
 }
 
 void checkLook(const Look& look, const Scene& scene, const std::string& place, Problems& problems) {
@@ -108,8 +109,8 @@ void checkTask(const Match& match, const LessonScene& start, const std::string& 
             return problems.push_back(at(where, given ? wanted.error() : given.error()));
         if (areAlike(*given, *wanted))
             return problems.push_back({ErrorCode::Malformed,
-                                       fmt::format("its picture of {} × {} is that of the step's own scene",
-                                                   shape.width, shape.height),
+                                       Sentence("its picture of {0} × {1} is that of the step's own scene",
+                                                shape.width, shape.height),
                                        where});
     }
 }
@@ -129,8 +130,8 @@ void checkFallback(const LessonFolder& folder, const Lesson& lesson, std::size_t
         problems.push_back(instead.error());
     else if (unitsUsed(instead->scene) > 1)
         problems.push_back({ErrorCode::Malformed,
-                            fmt::format("expected a scene with one texture unit, found one with {}",
-                                        unitsUsed(instead->scene)),
+                            Sentence("expected a scene with one texture unit, found one with {0}",
+                                     unitsUsed(instead->scene)),
                             where});
 }
 

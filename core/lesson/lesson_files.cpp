@@ -52,7 +52,8 @@ Result<LessonFolder> LessonFolder::builtIn(std::string_view name, fs::path insta
         std::string list;
         for (const std::string& each : names)
             list += (list.empty() ? "" : ", ") + each;
-        return fail(ErrorCode::NotFound, Sentence("expected one of {0}, found \"{1}\"", list, name));
+        return fail(ErrorCode::NotFound,
+                    Sentence("expected one of {0}, found \"{1}\"", ProperName{list}, ProperName{name}));
     }
     LessonFolder folder;
     folder.name_ = name;

@@ -1,4 +1,3 @@
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/lesson/lesson.h"
 #include "texplorer/lesson/strict_json.h"
 #include "texplorer/scene/params/param_text.h"
@@ -41,7 +40,7 @@ void readEdits(Members& members, std::vector<Edit>& edits, std::size_t min) {
         else if (!members.problem())
             members.problem() =
                 Error{ErrorCode::Malformed,
-                      fmt::format("expected PATH=VALUE or preset:NAME, found {}", foundText(json)), where};
+                      Sentence("expected PATH=VALUE or preset:NAME, found {0}", foundText(json)), where};
     });
 }
 
@@ -62,7 +61,7 @@ void readLook(const Json& json, const std::string& where, std::optional<Error>& 
         return members.say(ErrorCode::Malformed, "probe",
                            Sentence("expected {0}, found {1}",
                                     "two whole numbers from 0 to 999, in thousandths from the top left",
-                                    shortened(probe->dump())));
+                                    ProperName{shortened(probe->dump())}));
     look.probeX = (*probe)[0].get<int>();
     look.probeY = (*probe)[1].get<int>();
 }
@@ -78,8 +77,8 @@ void readPredict(const Json& json, const std::string& where, std::optional<Error
     });
     const Json* right = members.find("right");
     if (!right || !right->is_number_integer() || *right < 0 || *right >= predict.answers.size())
-        members.refuse("right", fmt::format("the number of the right answer, from 0 to {}",
-                                            std::max<std::size_t>(predict.answers.size(), 1) - 1));
+        members.refuse("right", Sentence("the number of the right answer, from 0 to {0}",
+                                         std::max<std::size_t>(predict.answers.size(), 1) - 1));
     else
         predict.right = right->get<std::size_t>();
     members.text("reason", predict.reason, true);
@@ -161,10 +160,10 @@ void readKey(const Json& json, const std::string& where, std::optional<Error>& p
     LessonKey key;
     members.text("key", key.key, true);
     if (!isKeyName(key.key))
-        members.refuse("key", fmt::format("A to Z, 0 to 9 or one of {}", keyNameList()));
+        members.refuse("key", Sentence("A to Z, 0 to 9 or one of {0}", ProperName{keyNameList()}));
     if (std::ranges::find(keys, key.key, &LessonKey::key) != keys.end())
         members.say(ErrorCode::Malformed, "key",
-                    Sentence("expected each key once, found {0} again", key.key));
+                    Sentence("expected each key once, found {0} again", ProperName{key.key}));
     members.text("label", key.label, true);
     const bool isCycle = members.has("cycle");
     if (isCycle == members.has("path"))

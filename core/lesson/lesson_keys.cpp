@@ -102,7 +102,7 @@ Result<std::vector<float>> numbersAt(const Scene& scene, const Addition& additio
         const auto [stop, error] = std::from_chars(at, end, number);
         if (error != std::errc() || (stop != end && *stop != ','))
             return fail(ErrorCode::Malformed,
-                        Sentence("expected a parameter of numbers, found {0}", inQuotes(*text)),
+                        Sentence("expected a parameter of numbers, found {0}", ProperName{inQuotes(*text)}),
                         addition.path);
         numbers.push_back(number);
         if (stop == end)

@@ -3,7 +3,6 @@
 // The position of an error in a lesson.json.
 
 #include "texplorer/base/result.h"
-#include "texplorer/base/sentence_format.h"
 
 #include <fmt/core.h>
 

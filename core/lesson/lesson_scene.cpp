@@ -7,8 +7,6 @@
 #include "texplorer/scene/params/json.h"
 #include "texplorer/scene/params/param_text.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 namespace texplorer::lesson {
@@ -119,7 +117,7 @@ Result<FoundScene> sceneOf(const LessonFolder& folder, const Lesson& lesson, std
 
 } // namespace
 
-std::vector<std::string> imageNotes(const LessonScene& step) {
+std::vector<Sentence> imageNotes(const LessonScene& step) {
     std::string folder;
     std::string found;
     std::string missing;
@@ -130,12 +128,13 @@ std::vector<std::string> imageNotes(const LessonScene& step) {
         if (!each.path.empty())
             folder = each.path.parent_path().string();
     }
-    std::vector<std::string> notes;
+    std::vector<Sentence> notes;
     if (!found.empty())
-        notes.push_back(fmt::format("Photographs of {}: {}.", folder, found));
+        notes.push_back(Sentence("Photographs of {0}: {1}.", ProperName{folder}, ProperName{found}));
     if (!missing.empty())
-        notes.push_back(fmt::format(
-            "Computed pictures replace {}, which Debian's package xplanet-images contains.", missing));
+        notes.push_back(
+            Sentence("Computed pictures replace {0}, which Debian's package xplanet-images contains.",
+                     ProperName{missing}));
     return notes;
 }
 

@@ -35,7 +35,7 @@ struct PictureSize {
 };
 
 /// A sentence for each photograph: its source, or that a pattern replaces it.
-[[nodiscard]] std::vector<std::string> imageNotes(const LessonScene& step);
+[[nodiscard]] std::vector<Sentence> imageNotes(const LessonScene& step);
 
 enum class StepImages : bool { Read, Leave };
 

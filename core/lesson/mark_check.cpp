@@ -63,22 +63,22 @@ bool isEnd(const UnitExplanation& unit, const reference::WrappedCoordinate& at) 
 }
 
 /// What is between two texels or levels, of which only one is read; empty: nothing.
-std::string tieOf(const UnitExplanation& unit) {
+Sentence tieOf(const UnitExplanation& unit) {
     const reference::Lod& lod = unit.sample.lod;
     const bool linearMag = unit.sampler.magFilter == MagFilter::Linear;
     const MinFilter min = unit.sampler.minFilter;
     const auto lambda = static_cast<double>(lod.lambda);
     if (linearMag != isLinear(min) && std::abs(lambda - static_cast<double>(lod.switchOver)) < nearLambda)
-        return fmt::format("lambda = {:.3f} is between magnification and minification", lambda);
+        return Sentence("lambda = {0:.3f} is between magnification and minification", lambda);
     if (!lod.magnified && wantsMipmaps(min) && !blendsLevels(min) &&
         std::abs(lambda - std::floor(lambda) - 0.5) < nearLambda)
-        return fmt::format("lambda = {:.3f} is between two levels", lambda);
+        return Sentence("lambda = {0:.3f} is between two levels", lambda);
     if (lod.magnified ? linearMag : isLinear(min))
         return {};
     for (const reference::WrappedCoordinate& at : unit.sample.wrapped) {
         const auto texels = static_cast<double>(at.texels);
         if (std::abs(texels - std::round(texels)) < nearTexels && !isEnd(unit, at))
-            return fmt::format("{} = {:.3f} texels is between two texels", "stp"[at.axis], texels);
+            return Sentence("{0} = {1:.3f} texels is between two texels", "stp"[at.axis], texels);
     }
     return {};
 }
@@ -89,18 +89,19 @@ void checkPlace(const Marked& marked, const std::string& whose, const std::strin
     const auto empty =
         std::ranges::find_if(marked, [](const Explanation& each) { return each.seen() == nullptr; });
     if (empty != marked.end())
-        problems.push_back({ErrorCode::OutOfRange,
-                            fmt::format("nothing is drawn at the mark, in {} of {}", whose, sizeOf(*empty)),
-                            where});
+        problems.push_back(
+            {ErrorCode::OutOfRange,
+             Sentence("nothing is drawn at the mark, in {0} of {1}", whose, ProperName{sizeOf(*empty)}),
+             where});
     for (const Explanation& each : marked) {
         const FragmentExplanation* seen = each.seen();
         for (std::size_t i = 0; seen && i < seen->units.size(); ++i) {
-            const std::string tie = tieOf(seen->units[i]);
+            const Sentence tie = tieOf(seen->units[i]);
             if (!tie.empty())
                 return problems.push_back({ErrorCode::OutOfRange,
-                                           fmt::format("at the mark {}, in {} of {}: renderers may round "
-                                                       "it differently",
-                                                       tie, whose, sizeOf(each)),
+                                           Sentence("at the mark {0}, in {1} of {2}: renderers may round "
+                                                    "it differently",
+                                                    tie, whose, ProperName{sizeOf(each)}),
                                            where});
         }
     }
@@ -137,13 +138,14 @@ void checkWordsHaveNumbers(const PlacedText& text, std::vector<Error>& problems)
         if (text.marked->empty())
             return problems.push_back(
                 {ErrorCode::NotFound,
-                 fmt::format("{{{}}} is a number of the mark, but look has no probe", word), text.where});
+                 Sentence("{{{0}}} is a number of the mark, but look has no probe", ProperName{word}),
+                 text.where});
         for (const Explanation& each : *text.marked) {
             if (Numbers(each).of(word).empty())
                 return problems.push_back(
                     {ErrorCode::NotFound,
-                     fmt::format("{{{}}} has no number at the mark, in the picture of {}", word,
-                                 sizeOf(each)),
+                     Sentence("{{{0}}} has no number at the mark, in the picture of {1}", ProperName{word},
+                              ProperName{sizeOf(each)}),
                      text.where});
         }
     }
@@ -193,9 +195,10 @@ void checkTypedNumbers(const PlacedText& text, std::vector<Error>& problems) {
                 if (hasNumber(*text.text, form))
                     return problems.push_back(
                         {ErrorCode::Malformed,
-                         fmt::format(
-                             "{} is {{{}}} in a picture of {}, but {} in one of {}: expected the word", form,
-                             word, sizeOf(each), Numbers(*other).of(word), sizeOf(*other)),
+                         Sentence(
+                             "{0} is {{{1}}} in a picture of {2}, but {3} in one of {4}: expected the word",
+                             ProperName{form}, ProperName{word}, ProperName{sizeOf(each)},
+                             ProperName{Numbers(*other).of(word)}, ProperName{sizeOf(*other)}),
                          text.where});
             }
         }

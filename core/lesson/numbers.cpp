@@ -183,8 +183,8 @@ Result<void> checkWords(std::string_view text) {
         std::string names;
         for (const Word& word : words)
             names += fmt::format("{}{{{}}}", names.empty() ? "" : ", ", word.name);
-        return fail(ErrorCode::Malformed,
-                    Sentence("expected one of {0}, found {1}", names, inQuotes(fmt::format("{{{}}}", name))));
+        return fail(ErrorCode::Malformed, Sentence("expected one of {0}, found {1}", ProperName{names},
+                                                   ProperName{inQuotes(fmt::format("{{{}}}", name))}));
     }
     return {};
 }

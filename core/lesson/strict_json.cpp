@@ -49,8 +49,9 @@ public:
         object.last = &*at;
         if (isNew)
             return true;
-        problem_ = Error{ErrorCode::Malformed,
-                         fmt::format("expected each key once, found {} twice", inQuotes(key)), pointer()};
+        problem_ =
+            Error{ErrorCode::Malformed,
+                  Sentence("expected each key once, found {0} twice", ProperName{inQuotes(key)}), pointer()};
         return false;
     }
 
@@ -70,8 +71,8 @@ private:
             brackets_.push_back({.isList = isList});
             return true;
         }
-        problem_ = Error{
-            ErrorCode::TooLarge, fmt::format("expected at most {} levels of brackets", maxJsonDepth), {}};
+        problem_ =
+            Error{ErrorCode::TooLarge, Sentence("expected at most {0} levels of brackets", maxJsonDepth), {}};
         return false;
     }
 

@@ -2,9 +2,6 @@
 
 #include "texplorer/mesh/shapes.h"
 
-#include <fmt/core.h>
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -68,7 +65,7 @@ void addBandFaces(Mesh& mesh, const char* name, int slices, int firstRow, int st
     for (int stack = 0; stack < stacks; ++stack) {
         const std::uint32_t lower = static_cast<std::uint32_t>(firstRow + stack) * length;
         const std::uint32_t upper = lower + length;
-        Face face{fmt::format("{} {}", name, stack + 1), {}};
+        Face face{Sentence("{0} {1}", name, stack + 1), {}};
         face.vertices.reserve(std::size_t{2} * length);
         for (std::uint32_t i = 0; i < length; ++i)
             face.vertices.push_back(lower + i);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/gl/enum_row.h"
 
 #include <glm/vec3.hpp>
@@ -61,7 +62,7 @@ struct Vertex {
 
 /// A named part of a mesh, for outlines in the texture view and groups in the vertex list.
 struct Face {
-    std::string name;                    ///< "Front", "Stack 3"
+    Sentence name;                       ///< "Front", "Stack 3"
     std::vector<std::uint32_t> vertices; ///< an outline, counter-clockwise seen from outside
     bool closed = true;                  ///< the outline returns to its first vertex
 };

@@ -2,9 +2,6 @@
 
 #include "texplorer/mesh/shapes.h"
 
-#include <fmt/core.h>
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -135,7 +132,7 @@ void addPartFaces(Mesh& mesh, Order order, const Assembly& assembly) {
     }
     for (std::size_t first = 0; first < order.size(); first += assembly.step) {
         const Order part = order.subspan(first, assembly.step);
-        mesh.faces.push_back({fmt::format("{} {}", assembly.face, mesh.faces.size() + 1),
+        mesh.faces.push_back({Sentence("{0} {1}", assembly.face, mesh.faces.size() + 1),
                               {part.begin(), part.end()},
                               assembly.closed});
     }

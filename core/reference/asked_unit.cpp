@@ -17,9 +17,9 @@ Result<const UnitState*> askedUnit(std::span<const PassState> passes, int pass, 
                     Sentence("expected a unit from 0 to {0}, found {1}", maxUnits - 1, unit));
     const UnitState& found = passes[static_cast<std::size_t>(pass)].units[static_cast<std::size_t>(unit)];
     if (!found.texture)
-        return fail(
-            ErrorCode::Unsupported,
-            Sentence("{0} samples nothing: it is off or its texture can't be drawn", unitName(pass, unit)));
+        return fail(ErrorCode::Unsupported,
+                    Sentence("{0} samples nothing: it is off or its texture can't be drawn",
+                             ProperName{unitName(pass, unit)}));
     return &found;
 }
 

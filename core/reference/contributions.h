@@ -2,6 +2,7 @@
 
 // The inverse of a probe: the pixels that a texel contributes to.
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/reference/draw.h"
 #include "texplorer/reference/raster/triangle.h"
 #include "texplorer/reference/sampling/sampler.h"
@@ -27,7 +28,7 @@ struct Contributions {
     /// One per pixel, bottom row first: the texel's weight in the filtered colour of the visible fragment. If
     /// later fragments were blended over it, the largest weight.
     std::vector<float> weights;
-    std::vector<std::string> problems; ///< sentences about what could not be drawn
+    std::vector<Sentence> problems; ///< sentences about what could not be drawn
 };
 
 /// Errors: OutOfRange for an invalid size, or if the pass, the unit, the level or the texel does not exist;

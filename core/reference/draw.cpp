@@ -54,7 +54,7 @@ struct ReferenceRenderer::State {
     Result<Frame> draw(const DrawRequest& request, const DrawOptions& options) {
         const Scene& scene = request.scene;
         const Viewport viewport{request.width, request.height, request.cornerBits};
-        std::vector<std::string> problems;
+        std::vector<Sentence> problems;
         textures.keepOnly(scene);
         const std::vector<PassState> passes = passStates(scene, request.images, request.time, options.levels,
                                                          request.sampling(), textures, problems);

@@ -30,9 +30,9 @@ public:
         /// Bottom row first; nullptr: none yet. A coarse picture is smaller than requested. Until there is a
         /// picture of this request, that of an earlier one.
         std::shared_ptr<const Image> image;
-        std::vector<std::string> problems; ///< as in texplorer::Frame, or why it cannot be drawn
-        double milliseconds = 0;           ///< the duration of drawing
-        bool whole = false;                ///< it equals drawReference of this request
+        std::vector<Sentence> problems; ///< as in texplorer::Frame, or why it cannot be drawn
+        double milliseconds = 0;        ///< the duration of drawing
+        bool whole = false;             ///< it equals drawReference of this request
     };
     /// Requests a picture and returns the newest one.
     [[nodiscard]] const Frame& frame(const DrawRequest& request);

@@ -96,22 +96,22 @@ Result<LevelMap> levelMap(const DrawRequest& request, const LevelQuestion& quest
     return ReferenceRenderer().levels(request, question, options);
 }
 
-std::string levelsText(const LevelMap& map, const PixelLevels& pixel) {
+Sentence levelsText(const LevelMap& map, const PixelLevels& pixel) {
     if (map.isMagnified(pixel))
-        return fmt::format("λ = {:.2f}: magnified, level {}", pixel.lambda, pixel.first);
+        return Sentence("λ = {0:.2f}: magnified, level {1}", pixel.lambda, pixel.first);
     if (pixel.share <= 0)
-        return fmt::format("λ = {:.2f}: level {}", pixel.lambda, pixel.first);
+        return Sentence("λ = {0:.2f}: level {1}", pixel.lambda, pixel.first);
     const int second = std::clamp(static_cast<int>(std::lround(100 * pixel.share)), 1, 99);
-    return fmt::format("λ = {:.2f}: {} % of level {}, {} % of level {}", pixel.lambda, 100 - second,
-                       pixel.first, second, pixel.second);
+    return Sentence("λ = {0:.2f}: {1} % of level {2}, {3} % of level {4}", pixel.lambda, 100 - second,
+                    pixel.first, second, pixel.second);
 }
 
-std::string footprintText(const PixelLevels& pixel) {
+Sentence footprintText(const PixelLevels& pixel) {
     if (!std::isfinite(pixel.ratio))
         return "footprint without a width";
     if (pixel.samples > 1)
-        return fmt::format("footprint {:.1f} : 1, {} samples along it", pixel.ratio, pixel.samples);
-    return fmt::format("footprint {:.1f} : 1", pixel.ratio);
+        return Sentence("footprint {0:.1f} : 1, {1} samples along it", pixel.ratio, pixel.samples);
+    return Sentence("footprint {0:.1f} : 1", pixel.ratio);
 }
 
 } // namespace texplorer::reference

@@ -2,6 +2,7 @@
 
 // The levels of a texture that the pixels of a picture read, and the shapes of their footprints.
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/reference/draw.h"
 #include "texplorer/reference/sampling/texture_store.h"
 #include "texplorer/scene/sampler_state.h"
@@ -37,11 +38,11 @@ struct PixelLevels {
 struct LevelMap {
     int width = 0;
     int height = 0;
-    std::vector<PixelLevels> pixels;   ///< bottom row first
-    SamplerState sampler;              ///< of the unit's texture, with level numbers clamped to existing ones
-    int lastLevel = 0;                 ///< q: the last level that minification can use
-    bool zeroSwitchOver = false;       ///< see SampleOptions
-    std::vector<std::string> problems; ///< sentences about what could not be drawn
+    std::vector<PixelLevels> pixels; ///< bottom row first
+    SamplerState sampler;            ///< of the unit's texture, with level numbers clamped to existing ones
+    int lastLevel = 0;               ///< q: the last level that minification can use
+    bool zeroSwitchOver = false;     ///< see SampleOptions
+    std::vector<Sentence> problems;  ///< sentences about what could not be drawn
 
     /// nullptr: outside of the picture, or nothing was sampled.
     [[nodiscard]] const PixelLevels* at(int x, int y) const;
@@ -58,9 +59,9 @@ struct LevelMap {
                                           const DrawOptions& options, TextureStore& textures);
 
 /// "λ = 1.37: 63 % of level 1, 37 % of level 2".
-[[nodiscard]] std::string levelsText(const LevelMap& map, const PixelLevels& pixel);
+[[nodiscard]] Sentence levelsText(const LevelMap& map, const PixelLevels& pixel);
 
 /// "footprint 5.3 : 1, 6 samples along it".
-[[nodiscard]] std::string footprintText(const PixelLevels& pixel);
+[[nodiscard]] Sentence footprintText(const PixelLevels& pixel);
 
 } // namespace texplorer::reference

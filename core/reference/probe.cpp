@@ -44,7 +44,7 @@ struct Framebuffer {
     [[nodiscard]] PixelBytes bytes() const { return bytesOf(colorOf(color.data())); }
 };
 
-std::string faceOf(const Mesh& mesh, std::span<const std::uint32_t> part) {
+Sentence faceOf(const Mesh& mesh, std::span<const std::uint32_t> part) {
     for (const Face& face : mesh.faces) {
         const bool holdsAll = std::ranges::all_of(part, [&](std::uint32_t vertex) {
             return std::ranges::find(face.vertices, vertex) != face.vertices.end();
@@ -429,15 +429,15 @@ std::vector<IdleUnit> idleUnits(const Scene& scene, const PassState& pass, const
         if (!unit.enabled || pass.units[u].texture)
             continue;
         const std::string name = fmt::format("textures[{}]", unit.texture);
-        std::string reason = fmt::format("there is no {}", name);
+        Sentence reason("there is no {0}", ProperName{name});
         if (unit.texture >= 0 && static_cast<std::size_t>(unit.texture) < scene.textures.size()) {
-            std::vector<std::string> said;
+            std::vector<Sentence> said;
             const StoredTexture* stored = textures.prepare(scene, static_cast<std::size_t>(unit.texture),
                                                            unit.target, images, work, said);
-            reason =
-                stored ? fmt::format("{} is incomplete: {}", name, checkCompleteness(stored->sampled).reason)
-                : !said.empty() ? said.front()
-                                : fmt::format("{} can't be drawn", name);
+            reason = stored          ? Sentence("{0} is incomplete: {1}", ProperName{name},
+                                                checkCompleteness(stored->sampled).reason)
+                     : !said.empty() ? said.front()
+                                     : Sentence("{0} can't be drawn", ProperName{name});
         }
         idle.push_back({static_cast<int>(u), std::move(reason)});
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/image/image.h"
 
 #include <string>
@@ -9,8 +10,8 @@ namespace texplorer {
 
 /// The result of drawing a scene.
 struct Frame {
-    Image image;                       ///< Rgba8, bottom row first
-    std::vector<std::string> problems; ///< sentences about what could not be drawn or was done differently
+    Image image;                    ///< Rgba8, bottom row first
+    std::vector<Sentence> problems; ///< sentences about what could not be drawn or was done differently
 };
 
 } // namespace texplorer

@@ -1,21 +1,23 @@
 #include "texplorer/sheet/axis_labels.h"
 
+#include "texplorer/text/word.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 
 namespace texplorer::sheet {
-namespace {
 
-std::string wordsFor(const ParamRow& row, const std::string& value) {
+Sentence labelOf(const ParamRow& row, const std::string& value, LabelKind kind) {
+    if (kind == LabelKind::Names)
+        return ProperName{value};
     if (const EnumRow* choice = findRow(row.choices, value))
-        return std::string(choice->label);
+        return choice->label;
     if (row.kind == Kind::Bool)
-        return value == "true" ? "on" : "off";
-    return row.range.unit.empty() ? value : fmt::format("{} {}", value, row.range.unit);
+        return value == "true" ? word("on") : word("off");
+    return row.range.unit.empty() ? Sentence(ProperName{value})
+                                  : Sentence("{0} {1}", ProperName{value}, row.range.unit);
 }
-
-} // namespace
 
 std::vector<AxisLabels> labelsOf(const Scene& scene, std::span<const SweepAxis> axes, LabelKind kind) {
     std::vector<AxisLabels> labels;
@@ -24,7 +26,7 @@ std::vector<AxisLabels> labelsOf(const Scene& scene, std::span<const SweepAxis> 
         if (const Result<ParamAt> at = paramAt(scene, axis.path)) {
             made.title = at->row->label;
             for (std::string& value : made.values)
-                value = kind == LabelKind::Words ? wordsFor(*at->row, value) : value;
+                value = labelOf(*at->row, value, kind);
         }
         labels.push_back(std::move(made));
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/gl/enum_row.h"
 #include "texplorer/scene/params/sweep_axis.h"
 
@@ -24,6 +25,9 @@ struct AxisLabels {
 
     bool operator==(const AxisLabels&) const = default;
 };
+
+/// The label of a parameter's value.
+[[nodiscard]] Sentence labelOf(const ParamRow& row, const std::string& value, LabelKind kind);
 
 /// Returns the labels of axes of a scene. If two parameters have the same label, the titles are their paths.
 [[nodiscard]] std::vector<AxisLabels> labelsOf(const Scene& scene, std::span<const SweepAxis> axes,

@@ -1,6 +1,6 @@
 #include "texplorer/suite/judge_case.h"
 
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/compare/comparison.h"
 #include "texplorer/compare/heat_map.h"
@@ -136,7 +136,7 @@ std::string rhoSentence(const conform::Judgement& judgement) {
                            texplorer::rowOf(judgement.rho).name, texplorer::rowOf(judgement.rho).name);
     if (judgement.withinRho > 0)
         return fmt::format("; {} by a rho within what OpenGL 2.1, section 3.8.8, allows",
-                           countOf(judgement.withinRho, "pixel"));
+                           Sentence::plural("{0} pixel", "{0} pixels", judgement.withinRho));
     return {};
 }
 
@@ -151,16 +151,17 @@ std::string ruleSentence(const conform::Rule& rule, const conform::Judgement& ju
         return fmt::format("no pixel differs by more than {}/255 from the reference, by the rule {}",
                            rule.bound, rule.name);
     const std::string over =
-        fmt::format("{} ({}) {} by more than {}/255 from the reference", countOf(difference.over, "pixel"),
-                    share(difference.over), difference.over == 1 ? "differs" : "differ", rule.bound);
+        fmt::format("{} ({}) {} by more than {}/255 from the reference",
+                    Sentence::plural("{0} pixel", "{0} pixels", difference.over), share(difference.over),
+                    difference.over == 1 ? "differs" : "differ", rule.bound);
     const auto upTo = [](double near) {
         return near < 1 ? "up to " + percentText(1 - near) : std::string("none");
     };
     const std::string allowed = upTo(rule.explainedScene);
     if (judgement.shareFar() > 1 - rule.nearScene)
         return fmt::format("{}; {} ({}) by more than {}/255, of which the rule {} allows {}", over,
-                           countOf(judgement.far, "pixel"), share(judgement.far), rule.farBound, rule.name,
-                           upTo(rule.nearScene));
+                           Sentence::plural("{0} pixel", "{0} pixels", judgement.far), share(judgement.far),
+                           rule.farBound, rule.name, upTo(rule.nearScene));
     if (rule.tolerance == conform::Tolerance::None)
         return fmt::format("{}; the rule {} allows {}", over, rule.name, allowed);
     if (judgement.unexplained == 0)

@@ -1,6 +1,6 @@
 #include "texplorer/suite/merge.h"
 
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/param_text.h"
 
 #include <fmt/core.h>
@@ -144,18 +144,17 @@ Result<Merged> merge(const std::vector<RunRecord>& records, const std::vector<st
             run.cases.push_back(*found->second.record);
     }
     if (!twice.empty())
-        merged.problems.push_back(
-            fmt::format("{} in several reports: {}",
-                        countOf(twice.size(), "case") + (twice.size() == 1 ? " is" : " are"), listed(twice)));
+        merged.problems.push_back(Sentence::plural("{0} case is in several reports: {1}",
+                                                   "{0} cases are in several reports: {1}", twice.size(),
+                                                   listed(twice)));
     sayAbsentShards(records, merged);
     if (const std::vector<std::string> missing = run.missing(); !missing.empty())
-        merged.problems.push_back(fmt::format(
-            "{} not run: {}", countOf(missing.size(), "case") + (missing.size() == 1 ? " was" : " were"),
-            listed(missing)));
+        merged.problems.push_back(Sentence::plural("{0} case was not run: {1}", "{0} cases were not run: {1}",
+                                                   missing.size(), listed(missing)));
     const bool hasHoles = run.cases.size() < run.planned;
     if (hasHoles && run.names.size() < run.planned)
         merged.problems.push_back(fmt::format("{} of {} are in no report", run.planned - run.names.size(),
-                                              countOf(run.planned, "case")));
+                                              Sentence::plural("{0} case", "{0} cases", run.planned)));
     merged.status = hasHoles ? 2 : exitStatus(run);
     return merged;
 }

@@ -1,6 +1,6 @@
 #include "texplorer/suite/record.h"
 
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/text/printable.h"
@@ -40,9 +40,11 @@ std::string skippedText(const RunRecord& run) {
     }
     std::string text;
     for (const auto& [first, count] : reasons)
-        text += fmt::format("skipped: {}{}\n    {}\n", printable(first->name),
-                            count > 1 ? fmt::format(" and {}", countOf(count - 1, "more case")) : "",
-                            printable(first->sentence));
+        text += fmt::format(
+            "skipped: {}{}\n    {}\n", printable(first->name),
+            count > 1 ? fmt::format(" and {}", Sentence::plural("{0} more case", "{0} more cases", count - 1))
+                      : "",
+            printable(first->sentence));
     return text;
 }
 
@@ -96,7 +98,8 @@ int exitStatus(const RunRecord& run) {
 }
 
 std::string summary(const RunRecord& run) {
-    std::string text = countOf(run.names.empty() ? run.cases.size() : run.names.size(), "case");
+    std::string text =
+        Sentence::plural("{0} case", "{0} cases", run.names.empty() ? run.cases.size() : run.names.size());
     std::string_view separator = ": ";
     for (const StateRow& row : stateRows) {
         if (const std::size_t count = run.count(row.state); count > 0) {

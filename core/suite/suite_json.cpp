@@ -31,7 +31,7 @@ std::vector<std::string_view> namesOfRows() {
 }
 
 /// A problem about one value, at its place.
-void refuseAt(Problem& problem, const std::string& where, ErrorCode code, std::string message) {
+void refuseAt(Problem& problem, const std::string& where, ErrorCode code, Sentence message) {
     if (!problem)
         problem = Error{code, std::move(message), where};
 }
@@ -50,9 +50,9 @@ void readChoice(const Json& json, const std::string& where, Problem& problem, E&
     const auto rows = EnumTable<E>::rows;
     const auto found = std::ranges::find(rows, std::string_view(name), &EnumRow::name);
     if (found == rows.end())
-        return refuseAt(
-            problem, where, ErrorCode::OutOfRange,
-            fmt::format("there is no {}; {}", inQuotes(name), suggestName(name, namesOfRows<E>())));
+        return refuseAt(problem, where, ErrorCode::OutOfRange,
+                        Sentence("there is no {0}; {1}", ProperName{inQuotes(name)},
+                                 suggestName(name, namesOfRows<E>())));
     target = static_cast<E>(found->value);
 }
 

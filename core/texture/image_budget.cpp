@@ -14,8 +14,8 @@ std::string sceneImageBytesText() {
 
 Error beyondBudget(std::size_t needed, std::size_t left) {
     return {ErrorCode::TooLarge,
-            fmt::format("the image needs {} bytes, but of the {} for all images of a scene, {} are left",
-                        needed, sceneImageBytes, left),
+            Sentence("the image needs {0} bytes, but of the {1} for all images of a scene, {2} are left",
+                     needed, sceneImageBytes, left),
             {}};
 }
 

@@ -21,7 +21,7 @@ struct DissectedFile {
     Anatomy anatomy;
     Bytes bytes;               ///< its beginning, at most keptBytes
     std::size_t fileBytes = 0; ///< on disk
-    std::string problem;       ///< why it cannot be decoded; empty: it can
+    Sentence problem;          ///< why it cannot be decoded; empty: it can
 
     static constexpr std::size_t keptBytes = std::size_t{8} << 20;
 };

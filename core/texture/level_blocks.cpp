@@ -39,7 +39,8 @@ bool LevelMaker::keepsBlocks() {
         return false;
     }
     if (axesOf(target_) != 2) {
-        note(fmt::format("OpenGL has compressed pictures only: decompressed for {}", rowOf(target_).name));
+        note(Sentence("OpenGL has compressed pictures only: decompressed for {0}",
+                      ProperName{rowOf(target_).name}));
         return false;
     }
     if (cutsFaces(image_)) {
@@ -51,15 +52,16 @@ bool LevelMaker::keepsBlocks() {
         return false;
     }
     if (generates()) {
-        note(fmt::format(
-            "the mip levels are made from pixels, so the compressed image was decompressed; mipmaps={} "
+        note(Sentence(
+            "the mip levels are made from pixels, so the compressed image was decompressed; mipmaps={0} "
             "keeps the file's blocks",
-            rowOf(MipPolicy::FromFile).name));
+            ProperName{rowOf(MipPolicy::FromFile).name}));
         return false;
     }
     if (texture_.npot == NpotPolicy::PowerOfTwo && texture_.mipmaps != MipPolicy::FromFile &&
         !arePowersOfTwo(widthOf(base()), heightOf(base()), depthOf(base()))) {
-        note(fmt::format("scaling {} to powers of two needs pixels: decompressed", extentsOf(base())));
+        note(Sentence("scaling {0} to powers of two needs pixels: decompressed",
+                      ProperName{extentsOf(base())}));
         return false;
     }
     if (texture_.transparency != Transparency::File) {
@@ -80,10 +82,10 @@ bool LevelMaker::keepsBlocks() {
         const Surface& surface = picture.image->surface(0, picture.fileLevel);
         if (flipsWithoutLoss(heightOf(surface)))
             continue;
-        note(fmt::format(
-            "level {} has {} texels: its blocks can't be flipped without loss, which needs a height of {}; "
+        note(Sentence(
+            "level {0} has {1} texels: its blocks can't be flipped without loss, which needs a height of {2}; "
             "the texture was decompressed and its pixels flipped",
-            picture.number, extentsOf(surface), losslessExtents));
+            picture.number, ProperName{extentsOf(surface)}, losslessExtents));
         return false;
     }
     return true;
@@ -96,8 +98,8 @@ bool LevelMaker::haveSameBlocks() {
         const auto* blocks = std::get_if<BlockImage>(&picture.image->surface(0, picture.fileLevel));
         if (blocks && blocks->format == format && !cutsFaces(*picture.image))
             continue;
-        note(fmt::format("the base level is compressed as {} and level {} is not: all are decompressed",
-                         rowOf(format).name, picture.number));
+        note(Sentence("the base level is compressed as {0} and level {1} is not: all are decompressed",
+                      ProperName{rowOf(format).name}, picture.number));
         return false;
     }
     return true;
@@ -144,7 +146,8 @@ Result<void> LevelMaker::compress() {
         return {};
     }
     if (axesOf(target_) != 2) {
-        note(fmt::format("OpenGL has compressed pictures only: not compressed for {}", rowOf(target_).name));
+        note(Sentence("OpenGL has compressed pictures only: not compressed for {0}",
+                      ProperName{rowOf(target_).name}));
         return {};
     }
     if (hasBorder()) {
@@ -184,7 +187,7 @@ Result<void> LevelMaker::compressHere(std::span<TextureLevel> levels) {
         if (!made)
             return fail(made.error());
         if (const Result<void> kept = work_.cache.keep(file, *made); !kept)
-            note(fmt::format("the compressed levels can't be cached: {}", describe(kept.error())));
+            note(Sentence("the compressed levels can't be cached: {0}", describe(kept.error())));
         blocks = *std::move(made);
     }
     for (std::size_t i = 0; i < levels.size(); ++i)

@@ -196,22 +196,22 @@ Result<void> LevelMaker::checkRoom() const {
     return fail(ErrorCode::TooLarge,
                 Sentence("the images of the levels above the base need {0} bytes, but may have at most "
                          "{1} together",
-                         bytes, sceneImageBytesText()));
+                         bytes, ProperName{sceneImageBytesText()}));
 }
 
 /// Notes the missing files other than the base's.
 void LevelMaker::noteMissing() {
     const auto reason = [](const std::string& file) {
-        return file.empty() ? std::string("no file is chosen") : fmt::format("{} is not loaded", file);
+        return file.empty() ? Sentence("no file is chosen") : Sentence("{0} is not loaded", ProperName{file});
     };
     for (std::size_t i = 0; i < texture_.levels.size() && texture_.mipmaps == MipPolicy::Given; ++i) {
         if (!holdsPicture(pictures_.level(i)))
-            note(fmt::format("levels[{}]: {}; uploaded without it", i, reason(texture_.levels[i].file)));
+            note(Sentence("levels[{0}]: {1}; uploaded without it", i, reason(texture_.levels[i].file)));
     }
     for (std::size_t i = 0; i < texture_.preparation.size(); ++i) {
         const ImageStep& step = texture_.preparation[i];
         if (step.op == ImageOp::AlphaFrom && !holdsPicture(pictures_.other(i)))
-            note(fmt::format("preparation[{}]: {}; skipped", i, reason(step.file)));
+            note(Sentence("preparation[{0}]: {1}; skipped", i, reason(step.file)));
     }
 }
 
@@ -252,7 +252,7 @@ Result<TextureLevels> LevelMaker::run() {
         return fail(ErrorCode::Unsupported,
                     Sentence("OpenGL has no depth textures for {0}", rowOf(target_).name));
     if (image_.faces > 1 && !isCube())
-        note(fmt::format("the file is a cube map of {} faces; the first, +x, is drawn", image_.faces));
+        note(Sentence("the file is a cube map of {0} faces; the first, +x, is drawn", image_.faces));
     if (const Result<void> room = checkRoom(); !room)
         return fail(room.error());
     noteMissing();

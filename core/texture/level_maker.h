@@ -119,7 +119,7 @@ private:
     [[nodiscard]] Result<void> compressHere(std::span<TextureLevel> levels);
     void leaveOneOut();
     void roundToBits();
-    void note(std::string sentence) { out_.notes.push_back(std::move(sentence)); }
+    void note(Sentence sentence) { out_.notes.push_back(std::move(sentence)); }
 
     const Texture texture_;
     const TexturePictures& pictures_;

@@ -22,16 +22,16 @@ constexpr std::size_t maxEntries = 32;
 constexpr FailureWords levelsFailure{"not enough memory for the statistics of its levels",
                                      "its levels can't be made"};
 
-std::string nameOf(const Texture& settings) {
+Sentence nameOf(const Texture& settings) {
     switch (settings.source) {
     case SourceKind::Pattern:
         break;
     case SourceKind::File:
-        return std::filesystem::path(settings.file).filename().string();
+        return ProperName{std::filesystem::path(settings.file).filename().string()};
     case SourceKind::LightDepth:
-        return std::string(rowOf(settings.source).label);
+        return rowOf(settings.source).label;
     }
-    return std::string(rowOf(settings.pattern).label);
+    return rowOf(settings.pattern).label;
 }
 
 std::optional<BlockFormat> formatOf(const std::vector<TextureLevel>& levels) {

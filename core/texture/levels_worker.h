@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/base/worker.h"
 #include "texplorer/image/image.h"
 #include "texplorer/texture/levels_source.h"
@@ -20,8 +21,8 @@ struct LevelsSummary {
     TextureReport report;
     std::optional<BlockFormat> compressed; ///< the format of the blocks; empty: pixels
     bool byDriver = false;                 ///< the driver compresses: the loss is known only afterwards
-    std::vector<std::string> notes; ///< sentences about what was done differently than specified, and why
-    std::string problem;            ///< why there are no levels; empty: there are
+    std::vector<Sentence> notes; ///< sentences about what was done differently than specified, and why
+    Sentence problem;            ///< why there are no levels; empty: there are
     /// Small upright pictures, at most thumbnailExtent texels per side: the image before its preparation and
     /// after each step; empty without a preparation.
     std::vector<std::shared_ptr<const Image>> steps;
@@ -71,8 +72,8 @@ public:
     using Ticket = std::uint64_t; ///< never 0
     struct Progress {
         Ticket ticket = 0;
-        std::string what; ///< the image's name
-        float done = 0;   ///< 0 to 1, for compression at run time
+        Sentence what;  ///< the image's name
+        float done = 0; ///< 0 to 1, for compression at run time
     };
     /// The current job; empty: all is done. Jobs that only measure are not reported.
     [[nodiscard]] std::optional<Progress> progress() const;

@@ -25,8 +25,8 @@ Result<TextureLevels> run(const Texture& texture, const TexturePictures& picture
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge,
                     Sentence("not enough memory for the levels of an image of {0} texels",
-                             fmt::format("{} × {}", widthOf(image.surfaces.front()),
-                                         heightOf(image.surfaces.front()))));
+                             ProperName{fmt::format("{} × {}", widthOf(image.surfaces.front()),
+                                                    heightOf(image.surfaces.front()))}));
     }
 }
 

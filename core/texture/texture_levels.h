@@ -42,8 +42,8 @@ struct TextureLevels {
     /// The source of compressed levels, in the same order, to measure the loss. Empty if nothing was
     /// compressed here.
     MipChain source;
-    bool fromCache = false;         ///< the blocks were read from the cache
-    std::vector<std::string> notes; ///< sentences about what was done differently than specified, and why
+    bool fromCache = false;      ///< the blocks were read from the cache
+    std::vector<Sentence> notes; ///< sentences about what was done differently than specified, and why
 };
 
 /// Options for compression at run time (Compression::Cached). Without cached blocks it is slow, at best

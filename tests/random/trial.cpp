@@ -105,10 +105,10 @@ struct Trial::State::Run {
 
     const Scene& scene() const { return random.scene; }
     void broken(const std::string& what) { journal.note("broken", what); }
-    void heed(const std::vector<std::string>& problems) {
-        for (const std::string& each : problems) {
+    void heed(const std::vector<Sentence>& problems) {
+        for (const Sentence& each : problems) {
             if (!isOneSentence(each))
-                broken("a problem isn't one sentence: " + each);
+                broken("a problem isn't one sentence: " + each.english());
         }
     }
 
@@ -133,7 +133,7 @@ struct Trial::State::Run {
             findings = diagnose(scene(), images, facts);
             for (const Finding& each : findings) {
                 if (!isOneSentence(each.sentence))
-                    broken("a finding isn't one sentence: " + each.sentence);
+                    broken("a finding isn't one sentence: " + each.sentence.english());
                 for (const Fix& fix : each.fixes) {
                     Scene fixed = scene();
                     if (const Result<void> applied = apply(fix, fixed); !applied)

@@ -233,7 +233,7 @@ TEST_F(EffectOnTheDriver, WhatHasNoneChangesNoPixel) {
             const bool off = path.starts_with("passes[0].units[") && !path.starts_with("passes[0].units[0]");
             if (!idle || off || row.kind == Kind::Text || row.key == "compressionQuality")
                 return;
-            if (!tried.insert(std::string(row.key) + ": " + idle->sentence).second)
+            if (!tried.insert(std::string(row.key) + ": " + idle->sentence.english()).second)
                 return; // a scene before this one has shown it
             Scene changed = scene;
             const Value other =

@@ -140,7 +140,7 @@ protected:
     Image drawn(const Scene& scene) {
         const Result<view::Frame> frame = renderer->draw(scene, images, 0, extent);
         EXPECT_TRUE(frame) << describe(frame.error());
-        EXPECT_THAT(frame ? frame->problems : std::vector<std::string>{}, testing::IsEmpty());
+        EXPECT_THAT(frame ? frame->problems : std::vector<Sentence>{}, testing::IsEmpty());
         const Result<Image> image = renderer->read();
         EXPECT_TRUE(image) << describe(image.error());
         return image.value_or(Image{});

@@ -94,9 +94,9 @@ std::string brokenByOutline(const TextureImage& texture, const TextureImage& out
         if (bytesHeld(surface) != 0)
             return "the outline's surface " + std::to_string(i) + " has pixels";
     }
-    for (const std::string& note : outline.notes)
+    for (const Sentence& note : outline.notes)
         if (std::ranges::find(texture.notes, note) == texture.notes.end())
-            return "the outline alone notes that " + note;
+            return "the outline alone notes that " + note.english();
     return {};
 }
 
@@ -123,9 +123,9 @@ std::string brokenByAnatomy(const CodecRow& row, const Anatomy& anatomy) {
             return "a field's name isn't one line: " + inQuotes(field.name);
         for (const std::string& text : {field.value, field.meaning, field.wrong})
             if (!text.empty() && !isOneLine(text))
-                return "the text of " + field.name + " isn't one line: " + inQuotes(text);
+                return "the text of " + field.name.english() + " isn't one line: " + inQuotes(text);
         if (field.depth < 0)
-            return field.name + " lies at depth " + std::to_string(field.depth);
+            return field.name.english() + " lies at depth " + std::to_string(field.depth);
     }
     return {};
 }

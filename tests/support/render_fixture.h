@@ -41,7 +41,7 @@ protected:
 
     view::Capabilities capabilities;
     ImageSource images;
-    std::vector<std::string> problems;
+    std::vector<Sentence> problems;
     std::optional<render::SceneRenderer> renderer;
 
 private:

@@ -106,8 +106,8 @@ TEST(ReleasedLesson, IsTranslated) {
     const Result<std::shared_ptr<const Catalogue>> catalogue = readLessonCatalogue(folder, Language::Russian);
     ASSERT_TRUE(catalogue) << describe(catalogue.error());
     ASSERT_TRUE(*catalogue);
-    EXPECT_EQ((*catalogue)->translate("Every kind of step"), "Шаги всех видов");
-    EXPECT_EQ((*catalogue)->translate("The marked pixel is 1 2 3."), "Отмеченный пиксель — 1 2 3.");
+    EXPECT_EQ(textIn(catalogue->get(), "Every kind of step"), "Шаги всех видов");
+    EXPECT_EQ(textIn(catalogue->get(), "The marked pixel is {color}."), "Отмеченный пиксель — {color}.");
 }
 
 } // namespace

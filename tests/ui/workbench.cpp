@@ -168,7 +168,7 @@ void clearTo(const ImVec4& color) {
 
 } // namespace
 
-Image Workbench::picture(const testing::Matcher<std::vector<std::string>>& problems) {
+Image Workbench::picture(const testing::Matcher<std::vector<Sentence>>& problems) {
     if (!drawing_)
         drawing_ = std::make_unique<Drawing>(view::Size{width_, height_}, shaders);
     layOut();

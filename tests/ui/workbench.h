@@ -69,7 +69,7 @@ protected:
     /// The window as OSMesa draws it: Rgba8, bottom row first. Fails the test if GL reports an error, or if
     /// the renderers report anything that the test does not expect.
     [[nodiscard]] Image
-    picture(const testing::Matcher<std::vector<std::string>>& problems = testing::IsEmpty());
+    picture(const testing::Matcher<std::vector<Sentence>>& problems = testing::IsEmpty());
 
     /// Fails the test if the last frame cannot be drawn: a vertex or a clip rectangle that is not a finite
     /// number.

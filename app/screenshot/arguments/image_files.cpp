@@ -8,7 +8,7 @@
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/output/output.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/codec/image_file.h"
 #include "texplorer/codec/losses.h"
 #include "texplorer/files/file_io.h"
@@ -94,8 +94,8 @@ Result<std::vector<ImageJob>> planOfTwo(const ImageFiles& files, const ImageForm
     if (files.files.size() == 1)
         return wrongImageCall("OUT is missing: expected IN OUT, or IN... -o DIR");
     if (files.files.size() > 2)
-        return wrongImageCall(
-            Sentence("expected IN OUT, or IN... -o DIR, found {0}", countOf(files.files.size(), "file")));
+        return wrongImageCall(Sentence("expected IN OUT, or IN... -o DIR, found {0}",
+                                       Sentence::plural("{0} file", "{0} files", files.files.size())));
     const std::string& in = files.files[0];
     const std::string& out = files.files[1];
     if (const CodecRow* named = codecForExtension(out);
@@ -243,7 +243,8 @@ void tellOf(ToldImages& told, const ImageJob& job, const MadeImage& made, const 
                                  printable(job.out), format.name, widthOf(base), heightOf(base),
                                  layers > 1 ? fmt::format("{} layers, ", layers) : std::string(),
                                  faces > 1 ? fmt::format("{} faces, ", faces) : std::string(),
-                                 countOf(levels, "level"), countOf(bytes, "byte"));
+                                 Sentence::plural("{0} level", "{0} levels", levels),
+                                 Sentence::plural("{0} byte", "{0} bytes", bytes));
     if (made.report)
         told.text += describe(*made.report);
     if (!made.losses.empty())

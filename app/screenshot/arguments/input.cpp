@@ -1,7 +1,7 @@
 #include "app/screenshot/arguments/input.h"
 
 #include "app/screenshot/output/messages.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/codec/image_file.h"
 #include "texplorer/codec/registry.h"
 #include "texplorer/files/descriptor.h"
@@ -56,7 +56,8 @@ Result<Bytes> readInput(const std::string& path, std::size_t maxBytes, const IsW
                           : isNamedPipe(path) ? readPipe(path, maxBytes, isWorthReading)
                                               : readFile(path, maxBytes);
     if (bytes)
-        tell(fmt::format("read {}, {}", inputName(path), countOf(bytes->size(), "byte")));
+        tell(fmt::format("read {}, {}", inputName(path),
+                         Sentence::plural("{0} byte", "{0} bytes", bytes->size())));
     return bytes;
 }
 

@@ -1,6 +1,6 @@
 #include "app/screenshot/arguments/moves_argument.h"
 
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/scene/params/params.h"
 #include "texplorer/scene/params/value_mix.h"
 
@@ -74,7 +74,9 @@ Result<void> putMove(Scene& scene, const std::string& assignment, const MoveTime
     std::erase_if(scene.timeline.keys, [&](const KeyFrame& key) { return key.path == path; });
     if (scene.timeline.keys.size() + values->size() > maxKeyFrames)
         return fail(ErrorCode::TooLarge,
-                    Sentence("expected at most {0} in a scene", countOf(maxKeyFrames, "key frame")), path);
+                    Sentence("expected at most {0} in a scene",
+                             Sentence::plural("{0} key frame", "{0} key frames", maxKeyFrames)),
+                    path);
     const bool mixes = canMix(**row);
     const auto spans = static_cast<double>(mixes ? values->size() - 1 : values->size());
     for (std::size_t i = 0; i < values->size(); ++i) {

@@ -14,8 +14,8 @@ Result<TextureImage> readTexture(const std::string& path) {
     Result<TextureImage> texture = decodeTexture(*file, limits);
     if (!texture)
         return fail(texture.error().code, texture.error().message, inputName(path));
-    for (const std::vector<std::string>& sentences : {texture->notes, texture->remarks})
-        for (const std::string& sentence : sentences)
+    for (const std::vector<Sentence>& sentences : {texture->notes, texture->remarks})
+        for (const Sentence& sentence : sentences)
             warn({ErrorCode::Malformed, sentence, inputName(path)});
     return texture;
 }

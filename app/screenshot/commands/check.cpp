@@ -69,8 +69,8 @@ std::vector<Note> notesOf(const OpenedScene& opened) {
         const auto image = name.used ? opened.images.contentOf(name.file) : nullptr;
         if (!image)
             continue;
-        for (const std::vector<std::string>& sentences : {image->notes, image->remarks})
-            for (const std::string& sentence : sentences)
+        for (const std::vector<Sentence>& sentences : {image->notes, image->remarks})
+            for (const Sentence& sentence : sentences)
                 notes.push_back({name.path, fmt::format("{}: {}", name.file, sentence)});
     }
     return notes;
@@ -82,7 +82,7 @@ std::string findingsText(const std::vector<Finding>& findings, const std::vector
         text += fmt::format("{}: {}: {}{}\n", rowOf(each.severity).name, each.path,
                             each.severity >= Severity::Hint ? "no effect: " : "", printable(each.sentence));
         for (const Fix& fix : each.fixes) {
-            text += fmt::format("    {}:", fix.label);
+            text += fmt::format("    {}:", fix.label.english());
             for (const edit::Set& set : fix.assignments)
                 text += " --set " + shellWord(set.path + "=" + set.value);
             text += "\n";

@@ -8,7 +8,7 @@
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/output/output.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/compare/comparison.h"
 #include "texplorer/s3tc/surface_pixels.h"
 #include "texplorer/scene/params/param_text.h"
@@ -52,12 +52,13 @@ Result<ReadPicture> readPicture(const std::string& path) {
     if (!file)
         return fail(file.error());
     const Surface& base = file->surface(0, 0);
-    for (const auto& [count, part] : {std::pair{file->layers, "layer"}, std::pair{file->faces, "face"},
-                                      std::pair{depthOf(base), "slice"}})
+    for (const auto& [count, part] : {std::pair{file->layers, Sentence::Key<int>("{0} layers")},
+                                      std::pair{file->faces, Sentence::Key<int>("{0} faces")},
+                                      std::pair{depthOf(base), Sentence::Key<int>("{0} slices")}})
         if (count > 1)
             return fail(ErrorCode::Unsupported,
                         Sentence("expected one picture, found {0}; texshot decode extracts one",
-                                 countOf(count, part)),
+                                 Sentence(part, count)),
                         path);
     const int bits = file->componentBits;
     Result<Image> image = uprightImage(*std::move(file));

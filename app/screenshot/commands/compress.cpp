@@ -5,7 +5,7 @@
 #include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/long_work.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/codec/losses.h"
 #include "texplorer/image/cube_faces.h"
 #include "texplorer/image/mipmaps.h"
@@ -140,7 +140,7 @@ Result<std::vector<MipChain>> picturesOf(TextureImage texture, const CompressOpt
         return refused(
             fmt::format("expected a picture or a cube map, found an array of {}; texshot decode extracts "
                         "one layer",
-                        countOf(texture.layers, "layer")));
+                        Sentence::plural("{0} layer", "{0} layers", texture.layers)));
     if (depthOf(base) != 1)
         return refused(
             fmt::format("expected a picture or a cube map, found a volume of {} slices", depthOf(base)));

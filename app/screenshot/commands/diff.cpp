@@ -34,7 +34,10 @@ std::string changesText(const std::vector<SceneChange>& changes) {
 std::string changesJson(const std::vector<SceneChange>& changes) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const SceneChange& each : changes)
-        list.push_back({{"path", each.path}, {"label", each.label}, {"from", each.from}, {"to", each.to}});
+        list.push_back({{"path", each.path},
+                        {"label", each.label},
+                        {"from", each.from.english()},
+                        {"to", each.to.english()}});
     return documentText({{"same", changes.empty()}, {"changes", std::move(list)}});
 }
 

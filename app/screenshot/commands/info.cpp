@@ -89,8 +89,8 @@ std::string factsAsText(const std::string& path, const TextureImage& texture, st
         texture.levels > 1 ? fmt::format(", all levels {:.3f} times the base", cost.ratioToBase) : "";
     line("pixel bytes", fmt::format("{}{}; {:.1f} % of RGBA8, {:.1f} % of RGB8", surfaceBytes, all,
                                     100 * cost.shareOfRgba8, 100 * cost.shareOfRgb8));
-    for (const std::vector<std::string>& sentences : {texture.notes, texture.remarks})
-        for (const std::string& sentence : sentences)
+    for (const std::vector<Sentence>& sentences : {texture.notes, texture.remarks})
+        for (const Sentence& sentence : sentences)
             line("note", sentence);
     return text;
 }
@@ -100,7 +100,7 @@ std::string anatomyAsText(const Anatomy& anatomy) {
     std::size_t valueWidth = 5;
     std::vector<Field> fields = anatomy.fields;
     for (Field& field : fields) {
-        for (std::string* part : {&field.name, &field.value, &field.meaning, &field.wrong})
+        for (Sentence* part : {&field.name, &field.value, &field.meaning, &field.wrong})
             *part = printable(*part);
         nameWidth = std::max(nameWidth, columnsOf(field.name) + static_cast<std::size_t>(2 * field.depth));
         valueWidth = std::max(valueWidth, std::min<std::size_t>(28, columnsOf(field.value)));
@@ -108,13 +108,14 @@ std::string anatomyAsText(const Anatomy& anatomy) {
     std::string text = fmt::format("\n{}{}{}{}meaning\n", padded("offset", 10), padded("bytes", 10),
                                    padded("name", nameWidth + 2), padded("value", valueWidth + 2));
     for (const Field& field : fields) {
-        text +=
-            padded(std::to_string(field.offset), 10) + padded(std::to_string(field.size), 10) +
-            padded(std::string(static_cast<std::size_t>(2 * field.depth), ' ') + field.name, nameWidth + 2) +
-            padded(field.value, valueWidth + 2) + field.meaning;
+        text += padded(std::to_string(field.offset), 10) + padded(std::to_string(field.size), 10) +
+                padded(std::string(static_cast<std::size_t>(2 * field.depth), ' ') + field.name.english(),
+                       nameWidth + 2) +
+                padded(field.value, valueWidth + 2) + field.meaning.english();
         while (text.ends_with(' '))
             text.pop_back();
-        text += field.wrong.empty() ? "\n" : fmt::format("\n{}! {}\n", std::string(20, ' '), field.wrong);
+        text += field.wrong.empty() ? "\n"
+                                    : fmt::format("\n{}! {}\n", std::string(20, ' '), field.wrong.english());
     }
     return anatomy.damage.empty() ? text : fmt::format("{}! {}\n", text, printable(anatomy.damage));
 }

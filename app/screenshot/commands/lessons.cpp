@@ -7,7 +7,7 @@
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/reports/lesson_page.h"
 #include "app/ui/language/lesson_catalogue.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/lesson/lesson_check.h"
 #include "texplorer/lesson/numbers.h"
@@ -125,9 +125,8 @@ bool hasLetters(const std::string& text) {
 /// What is wrong with the translations beside a lesson: one that can't be read, a text that it hasn't, a text
 /// that the lesson hasn't any more. `where` is the file.
 std::vector<Error> checkCatalogues(const lesson::LessonFolder& folder, const lesson::Lesson& lesson) {
-    std::set<std::string> texts;
-    for (const std::string& text : textsOf(lesson))
-        texts.insert(ui::Catalogue::keyOf(text));
+    const std::vector<std::string> all = textsOf(lesson);
+    const std::set<std::string> texts(all.begin(), all.end());
     std::vector<Error> problems;
     for (const ui::LanguageRow& row : ui::languageRows) {
         const auto catalogue = readLessonCatalogue(folder, row.language);
@@ -168,8 +167,9 @@ ExitCode check(const std::string& path, bool json) {
         return printProblems(file, problems, found->steps.size());
     if (!problems.empty())
         return failure;
-    const Result<void> written = print(
-        fmt::format("{}: {}, nothing is wrong\n", printable(file), countOf(found->steps.size(), "step")));
+    const Result<void> written =
+        print(fmt::format("{}: {}, nothing is wrong\n", printable(file),
+                          Sentence::plural("{0} step", "{0} steps", found->steps.size())));
     return written ? success : complain(written.error());
 }
 

@@ -57,7 +57,7 @@ Result<reference::TexelQuestion> parseTexel(std::string_view text, int pass) {
 
 /// What OpenGL has at the pixel: the whole picture is drawn for it.
 std::vector<ReadBack> readBack(ShotRequest request, const reference::PixelPlace& pixel,
-                               std::vector<std::string>& problems) {
+                               std::vector<Sentence>& problems) {
     std::vector<ReadBack> all;
     ShotDrawer drawer;
     for (const RendererKind renderer : {RendererKind::Fixed, RendererKind::Shader}) {
@@ -67,7 +67,7 @@ std::vector<ReadBack> readBack(ShotRequest request, const reference::PixelPlace&
             all.push_back({renderer, fail(shot.error())});
             continue;
         }
-        for (const std::string& problem : shot->frame.problems) {
+        for (const Sentence& problem : shot->frame.problems) {
             if (std::ranges::find(problems, problem) == problems.end())
                 problems.push_back(problem);
         }
@@ -79,8 +79,8 @@ std::vector<ReadBack> readBack(ShotRequest request, const reference::PixelPlace&
     return all;
 }
 
-void complainAbout(const std::vector<std::string>& problems) {
-    for (const std::string& problem : problems)
+void complainAbout(const std::vector<Sentence>& problems) {
+    for (const Sentence& problem : problems)
         warn({ErrorCode::Driver, problem, {}});
 }
 
@@ -92,7 +92,7 @@ ExitCode probePixel(const ProbeOptions& options, ShotRequest request) {
         reference::probe(request.drawRequest(), *pixel, {.levels = request.levels});
     if (!explanation)
         return complain(explanation.error());
-    std::vector<std::string> problems = explanation->problems;
+    std::vector<Sentence> problems = explanation->problems;
     const std::vector<ReadBack> readBacks =
         options.withoutGl ? std::vector<ReadBack>() : readBack(std::move(request), *pixel, problems);
     complainAbout(problems);

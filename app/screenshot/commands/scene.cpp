@@ -85,7 +85,7 @@ Result<Edits> editsBetween(const Scene& from, const Scene& to) {
 std::string editsJson(const Edits& edits) {
     nlohmann::ordered_json lengths = nlohmann::ordered_json::array();
     for (const SceneChange& each : edits.lengths)
-        lengths.push_back({{"path", each.path}, {"from", each.from}, {"to", each.to}});
+        lengths.push_back({{"path", each.path}, {"from", each.from.english()}, {"to", each.to.english()}});
     return documentText({{"same", edits.sets.empty() && edits.lengths.empty()},
                          {"set", edits.sets},
                          {"lengths", std::move(lengths)}});
@@ -110,7 +110,7 @@ int compareWith(const SceneOptions& options, const Scene& to) {
         return complain(printed.error(), wrongCall);
     for (const SceneChange& each : edits->lengths)
         warn({ErrorCode::Unsupported,
-              fmt::format("{} -> {}: no --set changes how many elements a list has", each.from, each.to),
+              Sentence("{0} -> {1}: no --set changes how many elements a list has", each.from, each.to),
               each.path});
     return edits->sets.empty() && edits->lengths.empty() ? success : failure;
 }

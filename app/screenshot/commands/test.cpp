@@ -13,7 +13,7 @@
 #include "app/screenshot/runs/run_folder.h"
 #include "app/screenshot/runs/run_plan.h"
 #include "app/view/pretence.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/suite/accept_list.h"
@@ -188,7 +188,8 @@ ExitCode say(const TestOptions& options, const FinishedRun& finished, ExitCode s
         text += fmt::format("{} of {} cases were done before\n", finished.resumed, finished.run.names.size());
     text += suite::asText(finished.run);
     if (!finished.wrote.empty())
-        text += fmt::format("{} written\n", countOf(finished.wrote.size(), "golden"));
+        text +=
+            fmt::format("{} written\n", Sentence::plural("{0} golden", "{0} goldens", finished.wrote.size()));
     text += nextSteps(options, finished);
     if (loudness().quiet && status == success)
         return status;

@@ -6,7 +6,7 @@
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/output.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/image/depth_pixels.h"
 #include "texplorer/reference/light_depth.h"
 #include "texplorer/s3tc/surface_pixels.h"
@@ -47,7 +47,8 @@ Result<Image> stepOf(const TextureOptions& options, const Texture& texture, cons
         return *std::move(asked);
     return fail(ErrorCode::OutOfRange,
                 Sentence("there is no step {0}: textures[{1}] has {2} in its preparation", options.step,
-                         options.texture, countOf(texture.preparation.size(), "step")),
+                         options.texture,
+                         Sentence::plural("{0} step", "{0} steps", texture.preparation.size())),
                 "--step");
 }
 
@@ -62,7 +63,7 @@ Result<Image> levelOf(const TextureOptions& options, Texture texture, const Text
     if (found == made->levels.end())
         return fail(ErrorCode::OutOfRange,
                     Sentence("there is no level {0}: textures[{1}] has {2}", asked, options.texture,
-                             countOf(made->levels.size(), "level")),
+                             Sentence::plural("{0} level", "{0} levels", made->levels.size())),
                     "--level");
     return toImage(std::move(found->surface).take());
 }
@@ -71,7 +72,7 @@ Result<Image> pictureOf(const TextureOptions& options, OpenedScene& opened) {
     if (static_cast<std::size_t>(options.texture) >= opened.scene.textures.size())
         return fail(ErrorCode::OutOfRange,
                     Sentence("there is no textures[{0}]: the scene has {1}", options.texture,
-                             countOf(opened.scene.textures.size(), "texture")),
+                             Sentence::plural("{0} texture", "{0} textures", opened.scene.textures.size())),
                     opened.scene.textures.empty() ? "" : "--texture"); // of such a scene no number is right
     if (const auto loaded = opened.images.load(opened.scene); !loaded)
         return fail(loaded.error());

@@ -68,21 +68,21 @@ Validity validateImage(const std::string& in, ByteView file) {
     const Result<TextureImage> texture = decodeTexture(file, limits);
     validity.drawn = texture.has_value();
     if (texture)
-        validity.remarks = texture->remarks;
+        validity.remarks.assign(texture->remarks.begin(), texture->remarks.end());
     else
         addRefusal(file, texture.error(), validity);
     const Anatomy anatomy = dissect(file);
     const auto isOfField = [&anatomy](const std::string& note) {
         return std::ranges::any_of(anatomy.fields, [&note](const Field& field) {
-            return field.wrong.find(note) != std::string::npos;
+            return field.wrong.english().find(note) != std::string::npos;
         });
     };
-    for (const std::string& note : texture ? texture->notes : std::vector<std::string>())
+    for (const Sentence& note : texture ? texture->notes : std::vector<Sentence>())
         if (!isOfField(note))
             addOnce(validity.faults, note);
     for (const Field& field : anatomy.fields)
         if (!field.wrong.empty())
-            addOnce(validity.faults, fmt::format("{} at {}: {}", field.name, field.offset, field.wrong));
+            addOnce(validity.faults, Sentence("{0} at {1}: {2}", field.name, field.offset, field.wrong));
     if (!anatomy.damage.empty() && texture) // else the decoder has said it
         addOnce(validity.faults, anatomy.damage);
     return validity;

@@ -3,7 +3,7 @@
 #include "app/command_line/standard_streams.h"
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/messages.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 
 #include <fmt/core.h>
 
@@ -70,7 +70,7 @@ Result<void> Output::write(ByteView bytes) const {
     const Result<void> written = put(bytes);
     if (written)
         tell(fmt::format("wrote {}, {}", isStandardOutput(path_) ? "standard output" : path_,
-                         countOf(bytes.size(), "byte")));
+                         Sentence::plural("{0} byte", "{0} bytes", bytes.size())));
     return written;
 }
 

@@ -67,8 +67,9 @@ private:
 
 Result<PageStep> StepWriter::write() {
     const std::string title = words().text(step_.title);
-    const Result<std::string> shown = image(
-        place_, shownPicture(), words().word(fmt::format("The picture of step {}: {}", index_ + 1, title)));
+    const Result<std::string> shown =
+        image(place_, shownPicture(),
+              words().word(Sentence("The picture of step {0}: {1}", index_ + 1, ProperName{title})));
     if (!shown)
         return fail(shown.error());
     Result<StepPrograms> programs = stepPrograms(lesson_, index_, start_, place_);
@@ -84,10 +85,10 @@ Result<PageStep> StepWriter::write() {
                              place_, index_ + 1, htmlOf(title), *shown, mark, textHtml(step_.text));
     const auto* const figure = std::ranges::find(ui::figureRows, look.figure, &ui::FigureRow::name);
     if (figure != ui::figureRows.end())
-        section() += fmt::format("<p class=\"source\">{}</p>\n",
-                                 words().wordHtml(fmt::format("In the window this step opens the figure {}.",
-                                                              words().word(figure->label))));
-    for (const std::string& note : imageNotes(start_))
+        section() += fmt::format(
+            "<p class=\"source\">{}</p>\n",
+            words().wordHtml(Sentence("In the window this step opens the figure {0}.", figure->label)));
+    for (const Sentence& note : imageNotes(start_))
         section() += fmt::format("<p class=\"source\">{}</p>\n", words().wordHtml(note));
     section() += programs->excerpt + "</div>\n<div class=\"asked\">\n";
     if (const Result<void> task =
@@ -126,7 +127,7 @@ Result<void> StepWriter::writeTask(const lesson::Predict& predict) {
             isPictured = true;
             Result<std::string> shown =
                 image(fmt::format("{}-answer-{}", place_, i + 1), pictureWith(answer.edits),
-                      words().word(fmt::format("The picture of answer {}", static_cast<char>('A' + i))));
+                      words().word(Sentence("The picture of answer {0}", static_cast<char>('A' + i))));
             if (!shown)
                 return fail(shown.error());
             picture = *std::move(shown);

@@ -19,17 +19,12 @@ struct PageWords {
     const ui::Catalogue* words = nullptr;
     std::shared_ptr<const ui::Catalogue> texts{};
 
-    [[nodiscard]] std::string word(std::string_view english) const { return in(words, english); }
-    [[nodiscard]] std::string text(std::string_view english) const { return in(texts.get(), english); }
+    [[nodiscard]] std::string word(const Sentence& english) const { return textIn(words, english); }
+    [[nodiscard]] std::string text(const Sentence& english) const { return textIn(texts.get(), english); }
 
     // As they stand in HTML.
-    [[nodiscard]] std::string wordHtml(std::string_view english) const { return htmlOf(word(english)); }
-    [[nodiscard]] std::string textHtml(std::string_view english) const { return htmlOf(text(english)); }
-
-private:
-    [[nodiscard]] static std::string in(const ui::Catalogue* catalogue, std::string_view english) {
-        return (catalogue ? catalogue->translate(english) : std::nullopt).value_or(std::string(english));
-    }
+    [[nodiscard]] std::string wordHtml(const Sentence& english) const { return htmlOf(word(english)); }
+    [[nodiscard]] std::string textHtml(const Sentence& english) const { return htmlOf(text(english)); }
 };
 
 } // namespace texplorer::screenshot

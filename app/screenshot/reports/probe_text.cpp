@@ -46,7 +46,8 @@ std::string tableOf(const std::vector<StepRow>& rows) {
         }
         label = std::clamp(label, std::size_t{16}, std::max(maxLabelWidth, label));
         for (std::size_t i = first; i < last; ++i) {
-            std::string line = "      " + (widths.empty() ? rows[i].label : aligned(rows[i].label, label));
+            std::string line =
+                "      " + (widths.empty() ? rows[i].label.english() : aligned(rows[i].label, label));
             for (std::size_t c = 0; c < widths.size(); ++c)
                 line += "  " + aligned(rows[i].cells[c].text, widths[c]);
             text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
@@ -58,8 +59,9 @@ std::string tableOf(const std::vector<StepRow>& rows) {
 
 /// `whole`: with all its numbers, not just with what came of it.
 std::string textOf(const Step& step, bool whole) {
-    const std::string title = (step.unit < 0 ? "" : fmt::format("unit {}, ", step.unit)) + step.title;
-    return fmt::format("  {}{}\n{}", title, step.summary.empty() ? "" : ": " + step.summary,
+    const std::string title =
+        (step.unit < 0 ? "" : fmt::format("unit {}, ", step.unit)) + step.title.english();
+    return fmt::format("  {}{}\n{}", title, step.summary.empty() ? "" : ": " + step.summary.english(),
                        whole ? tableOf(step.rows) : "");
 }
 
@@ -108,7 +110,8 @@ std::string asText(const reference::Explanation& explanation, const std::vector<
     text += cut.empty() ? "" : fmt::format("\n{}\n", cut);
     for (std::size_t i = 0; i < fragments.size(); ++i) {
         text += fmt::format("\nfragment {} of {}: {}: {}\n", explanation.firstFragment + i + 1,
-                            explanation.fragmentCount, fragments[i].title, fragments[i].outcome);
+                            explanation.fragmentCount, fragments[i].title.english(),
+                            fragments[i].outcome.english());
         for (const Step& step : fragments[i].steps)
             text += textOf(step, fragments[i].drawn);
     }

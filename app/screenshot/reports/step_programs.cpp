@@ -53,7 +53,7 @@ std::string excerptHtml(const PageWords& words, const emit::Excerpt& excerpt) {
         code += fmt::format("<span>{}</span>", codeHtml(translated(line, words)));
     if (excerpt.left > 0)
         code += fmt::format("<span><i>/* {} */</i>\n</span>",
-                            words.wordHtml(fmt::format("and {} more lines", excerpt.left)));
+                            words.wordHtml(Sentence("and {0} more lines", excerpt.left)));
     return fmt::format("<div class=\"excerpt\"><p class=\"source\">{}</p><pre><code>{}</code></pre></div>\n",
                        words.wordHtml("Where the program sets it:"), code);
 }
@@ -69,7 +69,7 @@ std::string wholeHtml(const PageWords& words, const std::vector<emit::Line>& pro
     }
     return fmt::format(
         "<details class=\"whole\"><summary>{}</summary><pre tabindex=\"0\"><code>{}</code></pre></details>\n",
-        words.wordHtml(fmt::format("The whole program, {} lines", lines.size())), code);
+        words.wordHtml(Sentence("The whole program, {0} lines", lines.size())), code);
 }
 
 /// Where no call sets what a step is about, but it decides on a texture's texels: what hands these to OpenGL.
@@ -144,7 +144,7 @@ public:
 private:
     [[nodiscard]] const PageWords& words() const { return lesson_.words; }
 
-    [[nodiscard]] std::string refusal(const EnumRow& row, const std::string& sentence) const {
+    [[nodiscard]] std::string refusal(const EnumRow& row, const Sentence& sentence) const {
         return fmt::format("{}: {}", words().wordHtml(row.label), words().wordHtml(sentence));
     }
 
@@ -156,9 +156,8 @@ private:
             shown_ = wholeHtml(words(), program.lines, paths);
         }
         if (text.size() > maxProgramBytes)
-            return refusal(row, fmt::format("the program contains {} MB of texels; \"texshot emit\" writes "
-                                            "it",
-                                            text.size() >> 20));
+            return refusal(row, Sentence("the program contains {0} MB of texels; \"texshot emit\" writes it",
+                                         text.size() >> 20));
         const std::string folder = fmt::format("programs/{}/", lesson_.anchor);
         const ByteView bytes = viewBytes(text);
         out_.files.push_back({folder + name, Bytes(bytes.begin(), bytes.end())});
@@ -168,7 +167,7 @@ private:
             with += (with.empty() ? "" : ", ") + each.name;
         }
         const std::string reads =
-            with.empty() ? "" : ", " + words().wordHtml(fmt::format("which reads {}", with));
+            with.empty() ? "" : ", " + words().wordHtml(Sentence("which reads {0}", ProperName{with}));
         return fmt::format("<a href=\"{0}{1}\">{1}</a> <b>{2}{3}</b>", folder, name,
                            words().wordHtml(row.label), reads);
     }
@@ -203,7 +202,7 @@ std::string newCallsHtml(const PageLesson& lesson, std::size_t index, const less
         if (!line.heading && std::ranges::any_of(line.parts, isCode))
             html += fmt::format("<code>{}</code><br>", codeHtml(line));
     if (excerpt.left > 0)
-        html += lesson.words.wordHtml(fmt::format("and {} more lines", excerpt.left)) + "<br>";
+        html += lesson.words.wordHtml(Sentence("and {0} more lines", excerpt.left)) + "<br>";
     return html;
 }
 

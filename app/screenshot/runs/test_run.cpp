@@ -4,7 +4,7 @@
 #include "app/screenshot/runs/case_worker.h"
 #include "app/screenshot/runs/run_folder.h"
 #include "app/screenshot/workers/pool.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/suite/judge_case.h"
 #include "texplorer/text/printable.h"
 #include "texplorer/text/shell_word.h"
@@ -347,7 +347,8 @@ void TestRun::collect() {
 
 Error TestRun::interrupted() const {
     const auto done = std::ranges::count_if(records_, [](const auto& each) { return each.has_value(); });
-    const std::string far = fmt::format("{} of {} done", done, countOf(records_.size(), "case"));
+    const std::string far =
+        fmt::format("{} of {} done", done, Sentence::plural("{0} case", "{0} cases", records_.size()));
     const bool resumable = begun_ && !planned_.plan.cases.empty();
     return {ErrorCode::Cancelled,
             resumable ? fmt::format("{}; the same call with --resume {} continues", far,

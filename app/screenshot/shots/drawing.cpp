@@ -2,8 +2,8 @@
 
 #include "app/screenshot/output/answer.h"
 #include "app/screenshot/shots/shot_drawer.h"
-#include "texplorer/base/count.h"
 #include "texplorer/base/parallel.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/base/tried.h"
 #include "texplorer/diagnosis/diagnosis.h"
 #include "texplorer/scene/params/scene_at.h"
@@ -96,7 +96,8 @@ public:
         for (auto& [first, pictures] : std::exchange(warnings_, {})) {
             if (pictures > 1)
                 first.message =
-                    Sentence("{0} (and of {1})", first.message, countOf(pictures - 1, "more picture"));
+                    Sentence("{0} (and of {1})", first.message,
+                             Sentence::plural("{0} more picture", "{0} more pictures", pictures - 1));
             taken.push_back(std::move(first));
         }
         return taken;

@@ -5,7 +5,7 @@
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/shots/drawing.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/base/tried.h"
 #include "texplorer/sheet/changes.h"
 #include "texplorer/sheet/sheet_picture.h"
@@ -231,7 +231,8 @@ private:
 std::string wordsOfDifference(std::size_t pixels) {
     if (pixels == 0)
         return "no pixel differs";
-    return fmt::format("{} differ{}", countOf(pixels, "pixel"), pixels == 1 ? "s" : "");
+    return fmt::format("{} differ{}", Sentence::plural("{0} pixel", "{0} pixels", pixels),
+                       pixels == 1 ? "s" : "");
 }
 
 ExitCode drawSheets(const SheetRun& run) {
@@ -251,9 +252,9 @@ ExitCode drawSheets(const SheetRun& run) {
         return complain(*lost);
     if (work.stopToken().stop_requested() && sheets.finished() < run.pages.size())
         return complainInterrupted(
-            sheets.written() > 0
-                ? fmt::format("{} of {} were written", sheets.written(), countOf(run.pages.size(), "sheet"))
-                : std::string());
+            sheets.written() > 0 ? fmt::format("{} of {} were written", sheets.written(),
+                                               Sentence::plural("{0} sheet", "{0} sheets", run.pages.size()))
+                                 : std::string());
     if (end.unopened)
         return complain(*end.unopened);
     if (run.written != nullptr)

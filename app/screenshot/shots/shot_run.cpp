@@ -7,8 +7,8 @@
 #include "app/screenshot/output/picture_writer.h"
 #include "app/screenshot/shots/drawing.h"
 #include "app/screenshot/shots/shot_drawer.h"
-#include "texplorer/base/count.h"
 #include "texplorer/base/parallel.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/image/convert.h"
 
@@ -104,7 +104,8 @@ ExitCode drawAll(const ShotRun& run) {
     for (const Error& each : end.warnings)
         warn(each);
     const std::string written =
-        fmt::format("{} of {} were written", writer.written(), countOf(run.names.size(), "picture"));
+        fmt::format("{} of {} were written", writer.written(),
+                    Sentence::plural("{0} picture", "{0} pictures", run.names.size()));
     if (const std::optional<Error> lost = writer.failure())
         return complain({lost->code, fmt::format("{}; {}", lost->message, written), lost->where});
     if (work.stopToken().stop_requested())

@@ -1,7 +1,7 @@
 #include "app/screenshot/workers/pool.h"
 
 #include "app/screenshot/workers/signal_text.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence_format.h"
 
 #include <fmt/core.h>
 
@@ -367,7 +367,8 @@ std::string sentenceOf(const Outcome& outcome, std::string_view who) {
         break;
     }
     if (outcome.before > 0)
-        text += fmt::format(" (after {} in the same process)", countOf(outcome.before, "other case"));
+        text += fmt::format(" (after {} in the same process)",
+                            Sentence::plural("{0} other case", "{0} other cases", outcome.before));
     return text;
 }
 

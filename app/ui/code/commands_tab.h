@@ -31,7 +31,7 @@ struct CommandsTabState {
     // The lines and the scene that they were made of; kept until those of the next scene are ready.
     std::optional<Scene> scene;
     ImageSource images;
-    std::string refused; ///< why there is no program; empty: there is one
+    Sentence refused; ///< why there is no program; empty: there is one
     std::vector<emit::Line> lines;
     std::vector<CodeRow> rows;
     ChangedPaths changed; ///< their lines are highlighted, and stay even with OpenGL's initial value

@@ -55,7 +55,7 @@ void toolRow(const Session& session, GlslTabState& state, const PassShader& shad
         ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x / 2);
     }
     const float width = buttonWidth("Copy");
-    const std::string pass = fmt::format("pass {}", session.look.selection.pass);
+    const Sentence pass("pass {0}", session.look.selection.pass);
     if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(tr(pass).c_str()).x + 2 * width) {
         dimText(pass);
         ImGui::SameLine();
@@ -166,7 +166,8 @@ void drawSource(GlslTabState& state, const PassShader& shader) {
             if (row.indent == 0)
                 noteItem(fmt::format("glsl:{}", row.line + 1));
             if (row.line < source.lines.size())
-                helpTip(Sentence("{0}:{1}", source.lines[row.line].file, source.lines[row.line].line));
+                helpTip(Sentence("{0}:{1}", ProperName{source.lines[row.line].file},
+                                 source.lines[row.line].line));
         }
     }
     ImGui::PopStyleVar();
@@ -182,10 +183,10 @@ void drawGlslTab(const Session& session, GlslTabState& state, const Pictures& pi
         pass < pictures.shaders.size() ? pictures.shaders[pass] : nullptr;
     if (!shader) {
         ImGui::PushTextWrapPos(0);
-        std::string reason = session.view.offered.whyNot(RendererKind::Shader);
+        Sentence reason = session.view.offered.whyNot(RendererKind::Shader);
         if (reason.empty())
-            reason = presentScene(session).passes[pass].enabled ? "see the status bar"
-                                                                : fmt::format("pass {} is not drawn", pass);
+            reason = presentScene(session).passes[pass].enabled ? Sentence("see the status bar")
+                                                                : Sentence("pass {0} is not drawn", pass);
         dimText(Sentence("There is no shader: {0}.", reason));
         ImGui::PopTextWrapPos();
         return;

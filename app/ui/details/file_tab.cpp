@@ -3,10 +3,11 @@
 #include "app/ui/details/file_tab.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
@@ -22,22 +23,22 @@ int offsetDigits(std::size_t fileBytes) {
 }
 
 void fieldTip(const Field& field) {
-    // Names and values from the file, which are not translated.
     std::vector<TipLine> lines;
-    const auto add = [&lines](const std::string& words) {
-        lines.push_back({printable(words, LineBreaks::Keep)});
+    const auto add = [&lines](const Sentence& words) {
+        lines.push_back({printable(tr(words), LineBreaks::Keep)});
     };
-    add(field.value.empty() ? field.name : fmt::format("{} = {}", field.name, field.value));
+    add(field.value.empty() ? field.name : Sentence("{0} = {1}", field.name, field.value));
     if (!field.meaning.empty())
-        add(tr(field.meaning));
+        add(field.meaning);
     if (!field.wrong.empty())
-        add(tr(field.wrong));
-    add(tr(Sentence("{0} from offset {1}", countOf(field.size, "byte"), field.offset)));
+        add(field.wrong);
+    add(Sentence("{0} from offset {1}", Sentence::plural("{0} byte", "{0} bytes", field.size), field.offset));
     showTip(lines);
 }
 
-std::string indented(const Field& field) {
-    return std::string(static_cast<std::size_t>(std::clamp(field.depth, 0, 8)) * 2, ' ') + field.name;
+Sentence indented(const Field& field) {
+    const std::string space(static_cast<std::size_t>(std::clamp(field.depth, 0, 8)) * 2, ' ');
+    return Sentence("{0}{1}", ProperName{space}, field.name);
 }
 
 void fieldRow(FileTabState& state, std::size_t index, int digits, std::optional<std::size_t>& hovered) {
@@ -49,7 +50,7 @@ void fieldRow(FileTabState& state, std::size_t index, int digits, std::optional<
     if (ImGui::Selectable("##row", lit,
                           ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap))
         state.revealInBytes = index;
-    noteItem("field:" + field.name);
+    noteItem("field:" + field.name.english());
     if (ImGui::IsItemHovered()) {
         hovered = index;
         fieldTip(field);
@@ -76,7 +77,7 @@ void fieldRow(FileTabState& state, std::size_t index, int digits, std::optional<
 float nameWidth(const std::vector<Field>& fields) {
     float width = 0;
     for (std::size_t i = 0; i < std::min<std::size_t>(fields.size(), 64); ++i)
-        width = std::max(width, ImGui::CalcTextSize(indented(fields[i]).c_str()).x);
+        width = std::max(width, textWidth(indented(fields[i])));
     return std::min(width, ImGui::GetContentRegionAvail().x * 0.38F);
 }
 
@@ -220,21 +221,22 @@ void heading(const Session& session) {
         item("file:back", "Back to the file of the bound texture");
         ImGui::SameLine();
     }
-    std::string text = printable(view.shown.filename().string());
+    const std::string path = view.shown.string();
+    const std::string name = printable(view.shown.filename().string());
     if (view.content) {
         const std::string_view format = view.content->anatomy.format;
-        text = fmt::format("{} · {} · {}", text, format.empty() ? tr("unknown format") : std::string(format),
-                           tr(countOf(view.content->fileBytes, "byte")));
-    }
-    ImGui::TextUnformatted(text.c_str());
-    item("file:name", view.shown.string());
+        text(Sentence("{0} · {1} · {2}", ProperName{name}, format.empty() ? "unknown format" : format,
+                      Sentence::plural("{0} byte", "{0} bytes", view.content->fileBytes)));
+    } else
+        text(ProperName{name});
+    item("file:name", ProperName{path});
     if (!view.content)
         return;
-    const std::string& damage = view.content->anatomy.damage;
-    const std::string& problem = view.content->problem.empty() ? damage : view.content->problem;
+    const Sentence& damage = view.content->anatomy.damage;
+    const Sentence& problem = view.content->problem.empty() ? damage : view.content->problem;
     if (problem.empty())
         return;
-    wrappedText(printable(problem), color::problem);
+    wrappedText(ProperName{printable(tr(problem))}, color::problem);
     noteItem("file:problem");
     if (!damage.empty() && damage != problem)
         helpTip(damage);
@@ -254,7 +256,7 @@ void drawFileTab(const Session& session, FileTabState& state) {
     }
     heading(session);
     if (!view.problem.empty())
-        wrappedText(printable(view.problem), color::problem);
+        wrappedText(ProperName{printable(tr(view.problem))}, color::problem);
     if (!view.content) {
         if (view.ticket != 0)
             dimText("Reading…");

@@ -62,7 +62,7 @@ void drawChanges(const Session& session, const std::vector<SceneChange>& changes
         noteItem(fmt::format("change:{}", change.path));
         if (ImGui::IsItemHovered())
             ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-        helpTip(Sentence("{0}\nClick: show the setting", change.path));
+        helpTip(Sentence("{0}\nClick: show the setting", ProperName{change.path}));
         if (ImGui::IsItemClicked())
             act(session, [path = change.path](Session& s) { reveal(s, path); });
         changedValues(change);

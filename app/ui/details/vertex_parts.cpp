@@ -24,7 +24,7 @@ const VertexPartRow& rowOf(VertexPart part) {
                       coordsPath,
                       nullptr,
                       nullptr,
-                      "Move vertex",
+                      "Move vertex {0}",
                       "The place of each vertex in the image"},
         VertexPartRow{VertexPart::Position,
                       "Position",
@@ -38,7 +38,7 @@ const VertexPartRow& rowOf(VertexPart part) {
                       [](const Scene&, Model& model, std::size_t vertex, glm::vec4 value, bool together) {
                           setPosition(model.mesh, vertex, glm::vec3(value), together);
                       },
-                      "Position of vertex",
+                      "Position of vertex {0}",
                       "glVertex3f: the position of each vertex in the model"},
         VertexPartRow{VertexPart::Normal,
                       "Normal",
@@ -52,7 +52,7 @@ const VertexPartRow& rowOf(VertexPart part) {
                       [](const Scene&, Model& model, std::size_t vertex, glm::vec4 value, bool) {
                           setNormal(model.mesh, vertex, glm::vec3(value));
                       },
-                      "Normal of vertex",
+                      "Normal of vertex {0}",
                       "glNormal3f: the direction of the surface at each vertex, normalized to length 1"},
         VertexPartRow{VertexPart::Color,
                       "Colour",
@@ -68,7 +68,7 @@ const VertexPartRow& rowOf(VertexPart part) {
                       [](const Scene& scene, Model& model, std::size_t vertex, glm::vec4 value, bool) {
                           setColor(model.mesh, vertex, value, materialOf(scene, model).color);
                       },
-                      "Colour of vertex",
+                      "Colour of vertex {0}",
                       "glColor4f: the colour of each vertex, instead of the material's"},
     };
     return rows.at(static_cast<std::size_t>(part));

@@ -129,7 +129,7 @@ void clearButton(const Session& session, ButtonLine& line, const VertexPartRow& 
     const bool isEmpty = (selectedModel(session)->mesh.*List).empty();
     if (line.button("Clear", std::string("clear ") + part.label, help, !isEmpty))
         submit(
-            session, fmt::format("Clear {}", part.label),
+            session, Sentence("Clear {0}", part.label),
             [&](Scene& scene) { (selectedModel(scene, session.look.selection).mesh.*List).clear(); },
             part.path(session));
 }
@@ -230,7 +230,7 @@ void vertexRow(const Session& session, const List& list, std::size_t vertex) {
         return;
     const Selection& selection = session.look.selection;
     submitDrag(
-        session, fmt::format("{} {}", list.part.edit, name),
+        session, Sentence(list.part.edit, vertex),
         [&](Scene& scene) {
             Model& model = selectedModel(scene, selection);
             if (list.part.write)
@@ -295,7 +295,7 @@ std::vector<std::uint32_t> leftOver(const Mesh& mesh) {
     return rest;
 }
 
-void vertexGroup(const Session& session, const List& list, const std::string& name,
+void vertexGroup(const Session& session, const List& list, const Sentence& name,
                  const std::vector<std::uint32_t>& vertices, bool opened, bool reveal) {
     std::optional<std::size_t> chosenRow;
     if (const auto& chosen = session.look.selection.vertex) {
@@ -313,7 +313,7 @@ void vertexGroup(const Session& session, const List& list, const std::string& na
     const bool open = ImGui::TreeNodeEx(label(name).c_str(), flags);
     if (chosenRow)
         ImGui::PopStyleColor();
-    noteItem("face:" + name);
+    noteItem("face:" + name.english());
     if (open)
         faceTable(session, list, vertices, reveal ? chosenRow : std::nullopt);
 }

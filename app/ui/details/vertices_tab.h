@@ -24,7 +24,7 @@ struct VertexPartRow {
     std::string (*path)(const Session& session);
     glm::vec4 (*read)(const Scene& scene, const Model& model, std::size_t vertex);
     void (*write)(const Scene& scene, Model& model, std::size_t vertex, glm::vec4 value, bool together);
-    const char* edit; ///< the name in Undo
+    Sentence::Key<std::size_t> edit; ///< the name in Undo, with the vertex
     const char* help;
 };
 

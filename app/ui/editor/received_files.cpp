@@ -9,8 +9,6 @@
 #include "app/ui/model/session.h"
 #include "texplorer/scene/params/keys.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <set>
 
@@ -50,7 +48,7 @@ Result<void> arrive(const Session& session, Load& load, const std::vector<std::s
 
 void finishImport(Session& session, const Load& load) {
     session.look.fileView.chosen.clear(); // the tab shows the new image
-    submit(session, fmt::format("Open {}", load.path.filename().string()),
+    submit(session, Sentence("Open {0}", ProperName{load.path.filename().string()}),
            [&](Scene& scene) { bindFile(scene, load.pass, load.unit, load.file); });
 }
 
@@ -62,7 +60,7 @@ void tellRefused(Session& session, std::vector<Error>& refused) {
 
 /// Puts all of them into one undo step.
 void finishAdd(Session& session, Load& load) {
-    submit(session, fmt::format("Open {} images", load.added.size()),
+    submit(session, Sentence("Open {0} images", load.added.size()),
            [&](Scene& scene) { addImages(scene, session.document.images, load); });
     tellRefused(session, load.refused);
 }

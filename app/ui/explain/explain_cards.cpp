@@ -54,14 +54,14 @@ Lines lodLines(const UnitExplanation& unit) {
     const reference::Lod& lod = unit.sample.lod;
     Lines lines{{fmt::format("λ {}", reference::lambdaText(lod))}};
     const bool isFactor = std::isfinite(lod.rho) && lod.rho > 0;
-    lines.push_back({lod.magnified ? isFactor && lod.rho < 1 ? fmt::format("magnified {:.3g}×", 1 / lod.rho)
-                                                             : std::string(word("magnified"))
-                     : isFactor && lod.rho > 1 ? fmt::format("minified {:.3g}×", lod.rho)
-                                               : std::string(word("minified"))});
+    lines.push_back({lod.magnified ? isFactor && lod.rho < 1 ? Sentence("magnified {0:.3g}×", 1 / lod.rho)
+                                                             : word("magnified")
+                     : isFactor && lod.rho > 1 ? Sentence("minified {0:.3g}×", lod.rho)
+                                               : word("minified")});
     if (lod.ellipse)
         lines.push_back({"over an ellipse"});
     else if (lod.probes > 1)
-        lines.push_back({fmt::format("{} probes", lod.probes)});
+        lines.push_back({Sentence("{0} probes", lod.probes)});
     return lines;
 }
 
@@ -69,11 +69,11 @@ Lines texelsLines(const UnitExplanation& unit) {
     const bool border = std::ranges::any_of(unit.sample.taps, &reference::Tap::border);
     const std::size_t count = reference::texelCount(unit.sample);
     const auto& levels = unit.sample.levels;
-    Lines lines{{count == 1 ? std::string("1 texel") : fmt::format("{} texels", count)}};
+    Lines lines{{count == 1 ? "1 texel" : Sentence("{0} texels", count)}};
     if (levels.size() == 1)
-        lines.push_back({fmt::format("level {}", levels[0].level)});
+        lines.push_back({Sentence("level {0}", levels[0].level)});
     else if (levels.size() > 1)
-        lines.push_back({fmt::format("levels {}, {}", levels[0].level, levels[1].level)});
+        lines.push_back({Sentence("levels {0}, {1}", levels[0].level, levels[1].level)});
     if (border)
         lines.push_back({"with border"});
     else if (!unit.ties.ties.empty())
@@ -85,23 +85,24 @@ Lines filterLines(const UnitExplanation& unit) {
     const auto& levels = unit.sample.levels;
     const glm::vec4 color = unit.sample.color;
     if (levels.size() < 2)
-        return {{std::string(unit.sample.lod.magnified ? rowOf(unit.sampler.magFilter).label
-                                                       : rowOf(unit.sampler.minFilter).label)},
+        return {{unit.sample.lod.magnified ? rowOf(unit.sampler.magFilter).label
+                                           : rowOf(unit.sampler.minFilter).label},
                 colorLine(color),
-                {fmt::format("alpha {:.2f}", color.a)}};
+                {Sentence("alpha {0:.2f}", color.a)}};
     Lines lines;
     for (const reference::LevelShare& share : levels)
-        lines.push_back({fmt::format("level {}: {} %", share.level, reference::percentText(share.weight))});
+        lines.push_back(
+            {Sentence("level {0}: {1} %", share.level, ProperName{reference::percentText(share.weight)})});
     lines.push_back(colorLine(color)); // shows transparency: a card has no fourth line
     if (std::lround(color.a * 100) < 100)
-        lines.back().text += fmt::format(" {:.2f}", color.a);
+        lines.back().text = fmt::format("{} {:.2f}", lines.back().text.english(), color.a);
     return lines;
 }
 
 Lines environmentLines(const UnitExplanation& unit) {
-    return {{std::string(rowOf(unit.mode).label), unit.equations.undefined ? Ink::Bad : Ink::Plain},
+    return {{rowOf(unit.mode).label, unit.equations.undefined ? Ink::Bad : Ink::Plain},
             colorLine(unit.result),
-            {fmt::format("alpha {:.2f}", unit.result.a)}};
+            {Sentence("alpha {0:.2f}", unit.result.a)}};
 }
 
 Lines testsLines(const FragmentExplanation& fragment) {
@@ -120,7 +121,7 @@ Lines testsLines(const FragmentExplanation& fragment) {
 
 Lines pixelLines(const FragmentExplanation& fragment) {
     const reference::PixelBytes& bytes = fragment.after;
-    return {{fmt::format("{} {} {}", bytes[0], bytes[1], bytes[2])}, {fmt::format("alpha {}", bytes[3])}};
+    return {{fmt::format("{} {} {}", bytes[0], bytes[1], bytes[2])}, {Sentence("alpha {0}", bytes[3])}};
 }
 
 Lines stageLines(Stage stage, const FragmentExplanation& fragment, const UnitExplanation* unit) {
@@ -167,7 +168,7 @@ std::vector<Card> cardsOf(const FragmentExplanation& fragment, const reference::
         const auto unit = std::ranges::find(fragment.units, step.unit, &UnitExplanation::unit);
         Card& card = cards.emplace_back(Card{stage, step.unit, rowOf(stage).name, {}, {i}});
         if (step.unit >= 0 && severalUnits)
-            card.name = fmt::format("{}, unit {}", rowOf(stage).name, step.unit);
+            card.name = Sentence("{0}, unit {1}", rowOf(stage).name, step.unit);
         card.lines = stageLines(stage, fragment, unit == fragment.units.end() ? nullptr : &*unit);
     }
     return cards;

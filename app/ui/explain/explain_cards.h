@@ -2,13 +2,13 @@
 
 // The stages of a fragment as a few cards from left to right: each stands for one or more steps.
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/reference/explain/explanation_steps.h"
 
 #include <imgui.h>
 
 #include <array>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace texplorer::ui {
@@ -60,7 +60,7 @@ inline constexpr std::array stageRows{
 static_assert(&rowOf(Stage::Pixel) == &stageRows.back());
 
 struct CardLine {
-    std::string text;
+    Sentence text;
     reference::Ink ink = reference::Ink::Plain;
 
     bool operator==(const CardLine&) const = default;
@@ -69,7 +69,7 @@ struct CardLine {
 struct Card {
     Stage stage = Stage::Vertices;
     int unit = -1;                  ///< its texture unit; -1: none
-    std::string name;               ///< with the unit if there are several
+    Sentence name;                  ///< with the unit if there are several
     std::vector<CardLine> lines;    ///< the most important facts, at most three
     std::vector<std::size_t> steps; ///< the FragmentSteps that it opens to
 };

@@ -1,8 +1,6 @@
 #include "app/ui/explain/explain_tab.h"
 #include "app/ui/model/explaining.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -41,8 +39,8 @@ Comparison compareRenderers(const Session& session, const Pictures& pictures,
             comparison.most = std::max(comparison.most, isTie ? 0 : most);
             comparison.compared.emplace_back(rowOf(view.renderer).label);
             remark = most == 0 ? reference::StepCell{"the same", Ink::Dim}
-                     : isTie   ? reference::StepCell{fmt::format("off by {}: a tie, either is right", most)}
-                               : reference::StepCell{fmt::format("off by {}", most),
+                     : isTie   ? reference::StepCell{Sentence("off by {0}: a tie, either is right", most)}
+                               : reference::StepCell{Sentence("off by {0}", most),
                                                    most > tolerance ? Ink::Bad : Ink::Plain};
         }
         add(view.renderer, bytes, std::move(remark));

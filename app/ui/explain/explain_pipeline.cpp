@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace texplorer::ui {
@@ -146,7 +147,7 @@ struct ShownLine {
     [[nodiscard]] float width() const { return ImGui::CalcTextSize(text.c_str()).x * scale; }
 };
 
-ShownLine lineThatFits(const std::string& english, float room) {
+ShownLine lineThatFits(const Sentence& english, float room) {
     const std::string text = tr(english);
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     if (width <= room)
@@ -163,11 +164,11 @@ void drawLine(ImDrawList& draw, ImVec2 at, ImU32 tint, const ShownLine& line) {
 }
 
 /// The full text of a card, for when it is cut.
-std::string wordsOf(const Card& card) {
-    std::string words = card.name;
-    for (const CardLine& line : card.lines)
-        words += "\n" + line.text;
-    return words + "\n" + rowOf(card.stage).help;
+Sentence wordsOf(const Card& card) {
+    std::vector<Sentence> lines{card.name};
+    std::ranges::transform(card.lines, std::back_inserter(lines), &CardLine::text);
+    lines.emplace_back(rowOf(card.stage).help);
+    return Sentence::joined("{0}\n{1}", lines);
 }
 
 /// The last item as a card, which is compared with `other`. Returns whether its text is cut.
@@ -237,8 +238,8 @@ void drawCards(OpenCards& cards, const Lane& lane, std::span<const Card> line, c
         const bool cut = drawCard(lane, card, other ? sameCard(other->cards, card) : nullptr, open, measure);
         if (pressed && cards.erase(key) == 0)
             cards.insert(key);
-        item((other || lane.title.empty() ? "card:" : "pinned card:") + card.name,
-             cut ? wordsOf(card) : std::string(rowOf(card.stage).help));
+        item((other || lane.title.empty() ? "card:" : "pinned card:") + card.name.english(),
+             cut ? wordsOf(card) : rowOf(card.stage).help);
         ImGui::PopID();
     }
 }

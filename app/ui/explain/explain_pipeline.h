@@ -13,7 +13,7 @@ using OpenCards = std::set<std::pair<Stage, int>>;
 
 /// The cards of one fragment; the fragment must outlive it.
 struct Lane {
-    std::string title; ///< shown above the cards if there are several lanes
+    Sentence title; ///< shown above the cards if there are several lanes
     const reference::FragmentExplanation& fragment;
     const reference::FragmentSteps& steps;
     std::vector<Card> cards;

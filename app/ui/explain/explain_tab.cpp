@@ -24,13 +24,13 @@ using reference::StepRow;
 constexpr float minPipeline = 46; // in heights of the text: narrower panels have a list
 
 /// Its title, and what became of it unless it was drawn.
-std::string titleOf(const FragmentSteps& fragment) {
-    return fragment.drawn ? fragment.title : fmt::format("{}: {}", fragment.title, fragment.outcome);
+Sentence titleOf(const FragmentSteps& fragment) {
+    return fragment.drawn ? fragment.title : Sentence("{0}: {1}", fragment.title, fragment.outcome);
 }
 
 /// Counted like texshot probe --at: from the upper left.
-std::string pixelText(const Explanation& explanation) {
-    return fmt::format("Pixel {},{}", explanation.pixel.x, explanation.height - 1 - explanation.pixel.y);
+Sentence pixelText(const Explanation& explanation) {
+    return Sentence("Pixel {0},{1}", explanation.pixel.x, explanation.height - 1 - explanation.pixel.y);
 }
 
 void offerMethod(const Session& session, reference::AnisotropyMethod method) {
@@ -122,7 +122,7 @@ void drawHead(const Session& session, const Pictures& pictures, const Explanatio
 }
 
 /// The number of pixels that read the selected texel.
-std::string readersOf(const Explaining& asked) {
+Sentence readersOf(const Explaining& asked) {
     if (!asked.answer || !asked.answer->contributions || asked.answer->request.texel != asked.texel)
         return "searching its pixels…";
     const auto& found = *asked.answer->contributions;
@@ -131,7 +131,7 @@ std::string readersOf(const Explaining& asked) {
     const auto count = std::ranges::count_if(found->weights, [](float weight) { return weight > 0; });
     return count == 0   ? "no visible pixel reads it"
            : count == 1 ? "one pixel reads it"
-                        : fmt::format("{} pixels read it", count);
+                        : Sentence("{0} pixels read it", count);
 }
 
 void drawTexelLine(const Session& session) {
@@ -139,8 +139,7 @@ void drawTexelLine(const Session& session) {
     if (!asked.texel)
         return;
     const auto& [level, index] = asked.texel->texel;
-    const std::string words =
-        fmt::format("Texel {}, {} of level {}: {}", index.x, index.y, level, readersOf(asked));
+    const Sentence words("Texel {0}, {1} of level {2}: {3}", index.x, index.y, level, readersOf(asked));
     if (ImGui::SmallButton("✕##texel"))
         act(session, clearTexel);
     item("explain:clear texel", "Unpicks this texel (Escape)");
@@ -162,7 +161,7 @@ void chooseFragment(ExplainTabState& state, const Explanation& explanation,
         return;
     labelText(Sentence("{0} fragments cover it:", explanation.fragmentCount), color::dim);
     ImGui::SameLine();
-    const std::string title = titleOf(fragments[shown]);
+    const Sentence title = titleOf(fragments[shown]);
     const float arrow = ImGui::GetFrameHeight();
     const float width = std::min(ImGui::CalcTextSize(tr(title).c_str()).x + arrow + ImGui::GetFontSize(),
                                  ImGui::GetContentRegionAvail().x);
@@ -187,7 +186,7 @@ void chooseFragment(ExplainTabState& state, const Explanation& explanation,
 }
 
 Lane laneOf(const Explanation& explanation, const std::vector<FragmentSteps>& fragments, std::size_t shown,
-            std::string title) {
+            Sentence title) {
     const FragmentExplanation& fragment = explanation.fragments[shown];
     return {std::move(title), fragment, fragments[shown], cardsOf(fragment, fragments[shown])};
 }
@@ -202,8 +201,9 @@ void drawLanes(ExplainTabState& state, const Explanation* pinned,
     std::vector<Lane> lanes;
     if (pinned && !pinnedFragments.empty())
         lanes.push_back(laneOf(*pinned, pinnedFragments, seenFragment(*pinned),
-                               fmt::format("Pinned: {}", pixelText(*pinned))));
-    lanes.push_back(laneOf(explanation, fragments, shown, lanes.empty() ? "" : pixelText(explanation)));
+                               Sentence("Pinned: {0}", pixelText(*pinned))));
+    lanes.push_back(
+        laneOf(explanation, fragments, shown, lanes.empty() ? Sentence() : pixelText(explanation)));
     drawPipeline(state.open, lanes);
 }
 
@@ -216,8 +216,8 @@ bool differsFrom(const FragmentSteps* other, const Step& step) {
 }
 
 void drawListedStep(const Step& step, bool openAtFirst, bool severalUnits, bool differs) {
-    const std::string title =
-        step.unit < 0 || !severalUnits ? step.title : fmt::format("{}, unit {}", step.title, step.unit);
+    const Sentence title =
+        step.unit < 0 || !severalUnits ? step.title : Sentence("{0}, unit {1}", step.title, step.unit);
     ImGui::PushID(static_cast<int>(step.kind) * 8 + step.unit);
     // The texels are the most important.
     ImGui::SetNextItemOpen(openAtFirst && step.kind == reference::StepKind::Texels, ImGuiCond_FirstUseEver);
@@ -225,7 +225,7 @@ void drawListedStep(const Step& step, bool openAtFirst, bool severalUnits, bool 
     const bool open =
         ImGui::TreeNodeEx("step", ImGuiTreeNodeFlags_SpanAvailWidth | (hasRows ? 0 : ImGuiTreeNodeFlags_Leaf),
                           "%s", tr(title).c_str());
-    noteItem("explain:" + title);
+    noteItem("explain:" + title.english());
     ImGui::SameLine();
     swatch(step.swatch);
     if (differs) { // a bar: not marked only by a colour
@@ -233,16 +233,16 @@ void drawListedStep(const Step& step, bool openAtFirst, bool severalUnits, bool 
         const ImVec2 low = ImGui::GetCursorScreenPos();
         ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + em * 0.25F, low.y + em}, color::changed);
         ImGui::Dummy({em * 0.25F, em});
-        noteItem("explain:differs " + title);
+        noteItem("explain:differs " + title.english());
         ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     }
     const bool idle = step.kind == reference::StepKind::IdleUnit;
     hangingText(step.summary, differs ? color::changed : idle ? color::problem : color::dim);
-    noteItem("explain:summary of " + title);
+    noteItem("explain:summary of " + title.english());
     if (open) {
         ImGui::TreePop(); // before the rows: they need the width
         drawRows(step.rows);
-        noteItem("explain:rows of " + title);
+        noteItem("explain:rows of " + title.english());
     }
     ImGui::PopID();
 }
@@ -251,7 +251,7 @@ void drawFragment(const FragmentSteps& fragment, const FragmentExplanation& expl
                   bool seen, const FragmentSteps* other) {
     ImGui::PushID(seen ? -1 : static_cast<int>(index));
     ImGui::SetNextItemOpen(seen, ImGuiCond_FirstUseEver);
-    const std::string title = titleOf(fragment);
+    const Sentence title = titleOf(fragment);
     ImGui::PushStyleColor(ImGuiCol_Text, fragment.drawn ? color::text : color::dim);
     const float room = ImGui::GetWindowContentRegionMax().x + ImGui::GetScrollX() - ImGui::GetCursorPosX() -
                        ImGui::GetTreeNodeToLabelSpacing() - ImGui::GetFontSize() * 0.5F;
@@ -336,7 +336,7 @@ void drawExplainTab(const Session& session, ExplainTabState& state, const Pictur
         const Explanation* pinned = pinnedExplanation(session);
         const auto& pinnedFragments =
             pinned ? state.pinnedSteps.of(session.look.explaining.pinned) : state.pinnedSteps.steps;
-        if (const std::string cut = cutSentence(*explanation); !cut.empty()) {
+        if (const Sentence cut = cutSentence(*explanation); !cut.empty()) {
             wrappedText(cut);
             noteItem("explain:cut");
         }

@@ -79,7 +79,7 @@ std::size_t unitEnd(const std::vector<reference::StepRow>& rows, std::size_t fir
         ++last;
     do
         ++last;
-    while (last < rows.size() && rows[last].label.starts_with(' '));
+    while (last < rows.size() && rows[last].label.english().starts_with(' '));
     return last;
 }
 
@@ -122,13 +122,13 @@ void drawPiece(const StepPiece& piece) {
     const reference::Step& step = *piece.step;
     if (piece.first) {
         text(step.title, color::text);
-        noteItem("explain:" + step.title);
+        noteItem("explain:" + step.title.english());
         ImGui::SameLine();
         swatch(step.swatch);
         hangingText(step.summary, step.kind == reference::StepKind::IdleUnit ? color::problem : color::dim);
     }
     drawRows(piece.rows);
-    noteItem((piece.first ? "explain:rows of " : "explain:more rows of ") + step.title);
+    noteItem((piece.first ? "explain:rows of " : "explain:more rows of ") + step.title.english());
 }
 
 /// The steps of a card. Each column is a window, so that sentences wrap at its edge.
@@ -275,7 +275,7 @@ bool drawOpenCard(const OpenCard& open, std::span<const Lane> lanes, float heigh
     const float button = ImGui::GetFrameHeight();
     ImGui::SameLine(std::max(0.0F, ImGui::GetWindowContentRegionMax().x - button));
     const bool closes = ImGui::SmallButton("✕");
-    noteItem("close card:" + card.name);
+    noteItem("close card:" + card.name.english());
     drawColumns(open.columns, open.columnWidth, open.look);
     if (open.pinned) {
         ImGui::Separator();

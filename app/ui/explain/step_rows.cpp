@@ -24,7 +24,7 @@ float cellPadding() {
 /// The size of a table of rows with the same number of cells.
 float tableWidth(std::span<const StepRow> rows) {
     std::vector<float> columns(rows.front().cells.size() + 1);
-    const auto widen = [](float& column, const std::string& words, float more) {
+    const auto widen = [](float& column, const Sentence& words, float more) {
         column = std::max(column, ImGui::CalcTextSize(tr(words).c_str()).x + more);
     };
     for (const StepRow& row : rows) {
@@ -109,7 +109,7 @@ ImU32 tintOf(Ink ink) {
     return tints.at(static_cast<std::size_t>(ink));
 }
 
-void hangingText(const std::string& words, ImU32 tint) {
+void hangingText(const Sentence& words, ImU32 tint) {
     const float em = ImGui::GetFontSize();
     const float right = ImGui::GetWindowContentRegionMax().x + ImGui::GetScrollX();
     const float room = right - ImGui::GetCursorPosX();

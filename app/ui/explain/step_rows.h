@@ -5,7 +5,6 @@
 #include <imgui.h>
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace texplorer::ui {
@@ -16,7 +15,7 @@ namespace texplorer::ui {
 
 /// Text after the previous item of the line. It wraps below its own beginning, or, if that would be narrow,
 /// at the full width.
-void hangingText(const std::string& words, ImU32 tint);
+void hangingText(const Sentence& words, ImU32 tint);
 
 /// A square of the colour, as opaque as a pixel is, with the next item next to it. Without a colour, does
 /// nothing.

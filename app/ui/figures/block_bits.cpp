@@ -60,38 +60,41 @@ struct BitLine {
     }
 };
 
-std::string nameOfGroup(BlockFormat format, const BlockBytesGroup& group) {
+Sentence nameOfGroup(BlockFormat format, const BlockBytesGroup& group) {
     const BlockField& field = blockFields(format)[fieldAtBit(format, 8 * group.first)];
     switch (field.part) {
     case BlockPart::Color:
-        return fmt::format("colour {}", field.number);
+        return {"colour {0}", field.number};
     case BlockPart::ColorIndex:
-        return fmt::format("index row {}", field.number / 4);
+        return {"index row {0}", field.number / 4};
     case BlockPart::AlphaEnd:
-        return fmt::format("α {}", field.number);
+        return {"α {0}", field.number};
     case BlockPart::Alpha:
         break;
     }
     const int row = field.number / 4;
-    return format == BlockFormat::Dxt3 ? fmt::format("α row {}", row)
-                                       : fmt::format("α rows {}, {}", row, row + 1);
+    return format == BlockFormat::Dxt3 ? Sentence("α row {0}", row)
+                                       : Sentence("α rows {0}, {1}", row, row + 1);
 }
 
-constexpr std::array componentTips{"Bit {} of byte {}: red of colour {}",
-                                   "Bit {} of byte {}: green of colour {}",
-                                   "Bit {} of byte {}: blue of colour {}"};
+/// Of a bit, its byte, and the number of a colour or an alpha, or a texel.
+using BitTip = Sentence::Key<int, int, int, int>;
+
+constexpr std::array<BitTip, 3> componentTips{"Bit {0} of byte {1}: red of colour {2}",
+                                              "Bit {0} of byte {1}: green of colour {2}",
+                                              "Bit {0} of byte {1}: blue of colour {2}"};
 
 /// The meaning of a bit in words.
-std::string tipOf(BlockFormat format, int bit, const BlockField& field) {
+Sentence tipOf(BlockFormat format, int bit, const BlockField& field) {
     const bool isEnd = field.part == BlockPart::Color || field.part == BlockPart::AlphaEnd;
-    const char* words =
+    const BitTip words =
         field.part == BlockPart::Color ? componentTips.at(static_cast<std::size_t>(componentOf(field, bit)))
-        : field.part == BlockPart::AlphaEnd   ? "Bit {} of byte {}: alpha {}"
-        : field.part == BlockPart::ColorIndex ? "Bit {} of byte {}: the colour index of texel {}, {}"
-        : format == BlockFormat::Dxt3         ? "Bit {} of byte {}: the alpha of texel {}, {}"
-                                              : "Bit {} of byte {}: the alpha index of texel {}, {}";
-    return fmt::format(fmt::runtime(words), bit % 8, bit / 8, isEnd ? field.number : field.number % 4,
-                       field.number / 4);
+        : field.part == BlockPart::AlphaEnd ? BitTip("Bit {0} of byte {1}: alpha {2}")
+        : field.part == BlockPart::ColorIndex
+            ? BitTip("Bit {0} of byte {1}: the colour index of texel {2}, {3}")
+        : format == BlockFormat::Dxt3 ? BitTip("Bit {0} of byte {1}: the alpha of texel {2}, {3}")
+                                      : BitTip("Bit {0} of byte {1}: the alpha index of texel {2}, {3}");
+    return {words, bit % 8, bit / 8, isEnd ? field.number : field.number % 4, field.number / 4};
 }
 
 /// The colour of a bit: red, green and blue of an end have their own.
@@ -162,7 +165,7 @@ void drawHex(BlockMicroscopeState& state, float width) {
             state.block = *block;
     } else if (!ImGui::IsItemActive()) {
         state.hex = hexOf(state.format, state.block);
-        state.hexProblem.clear();
+        state.hexProblem = {};
     }
     if (state.hexProblem.empty())
         return helpTip("The block's bytes in hexadecimal, in file order");

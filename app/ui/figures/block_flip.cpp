@@ -321,7 +321,7 @@ void drawBlockFlip(BlockFlipState& state) {
                              }};
     const float used = stored.width + shown.width + bytes.width + 3 * figureColumnGap();
     const FigureColumn words{std::clamp(room - used, std::min(room, em * 11), em * 30), [&] {
-                                 for (const std::string& sentence : flipSentences(state.steps, state.step))
+                                 for (const Sentence& sentence : flipSentences(state.steps, state.step))
                                      wrappedText(sentence);
                                  noteItem("flip:words");
                              }};

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/s3tc/block_parts.h"
 #include "texplorer/s3tc/flip_steps.h"
 
 #include <span>
-#include <string>
 #include <vector>
 
 namespace texplorer::ui {
@@ -23,7 +23,7 @@ struct BlockFlipState {
 void drawBlockFlip(BlockFlipState& state);
 
 /// What a step does and what it shows, one sentence each.
-[[nodiscard]] std::vector<std::string> flipSentences(std::span<const FlipStep> steps, std::size_t step);
+[[nodiscard]] std::vector<Sentence> flipSentences(std::span<const FlipStep> steps, std::size_t step);
 
 /// A picture of one block's width with distinguishable rows: each has its own colour, and in DXT3 and DXT5 an
 /// alpha that differs from those of the rows around it. This includes rows of the last block beyond the

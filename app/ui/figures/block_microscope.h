@@ -4,6 +4,7 @@
 // of the block, and its source.
 
 #include "app/ui/model/session.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/s3tc/block_parts.h"
 #include "texplorer/s3tc/encode_quality.h"
 #include "texplorer/texture/levels_source.h"
@@ -46,7 +47,7 @@ struct BlockSource {
     // The known data of the texture.
     std::optional<LevelsRequest> request{};
     std::shared_ptr<const PreparedLevels> levels{}; ///< of that request; nullptr: not ready
-    std::string problem{};                          ///< a sentence: why no block is available
+    Sentence problem{};                             ///< why no block is available
 
     /// The block as it was read.
     struct Taken {
@@ -76,7 +77,7 @@ struct BlockMicroscopeState {
     std::optional<BlockMark> hovered{};  ///< under the pointer in the previous frame
     std::optional<BlockMark> hovering{}; ///< under the pointer in this frame
     std::string hex{};                   ///< the text being typed
-    std::string hexProblem{};            ///< a sentence without its full stop
+    Sentence hexProblem{};
     BlockSource source{};
 };
 

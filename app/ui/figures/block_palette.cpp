@@ -122,11 +122,12 @@ void drawColorRow(BlockMicroscopeState& state, const BlockLook& look, std::size_
 void modeSentence(const BlockMicroscopeState& state, const BlockLook& look) {
     const auto [first, second] = look.fields.colors;
     const bool isDxt1 = alphaCount(state.format) == 0;
-    const char* words = first > second ? "c0 = {:04X} is larger than c1 = {:04X}: four colours."
+    using Words = Sentence::Key<std::uint16_t, std::uint16_t>;
+    const Words words = first > second ? Words("c0 = {0:04X} is larger than c1 = {1:04X}: four colours.")
                         : state.format == BlockFormat::Dxt1Alpha
-                            ? "c0 = {:04X} is not larger than c1 = {:04X}: three colours and a hole."
-                            : "c0 = {:04X} is not larger than c1 = {:04X}: three colours and black.";
-    wrappedText(isDxt1 ? Sentence(fmt::format(fmt::runtime(words), first, second))
+                            ? Words("c0 = {0:04X} is not larger than c1 = {1:04X}: three colours and a hole.")
+                            : Words("c0 = {0:04X} is not larger than c1 = {1:04X}: three colours and black.");
+    wrappedText(isDxt1 ? Sentence(words, first, second)
                        : Sentence("{0} always has four colours.", rowOf(state.format).label));
     noteItem("block:mode");
 }
@@ -179,7 +180,8 @@ void drawAlphas(BlockMicroscopeState& state, const BlockLook& look) {
         if (spot.hovered) {
             state.hovering = BlockMark{BlockMark::Kind::Alpha, i};
             const std::string bits = count == 16 ? fmt::format("{:04b}", i) : fmt::format("{:03b}", i);
-            helpTip(Sentence("Gives the selected texel the alpha {0}, stored as {1}.", alpha, bits));
+            helpTip(
+                Sentence("Gives the selected texel the alpha {0}, stored as {1}.", alpha, ProperName{bits}));
         }
         if (spot.pressed)
             setTexel(state, BlockPart::Alpha, i);

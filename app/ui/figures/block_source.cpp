@@ -45,7 +45,7 @@ void followLevels(Session& session, BlockSource& source) {
         std::shared_ptr<const PreparedLevels> levels = workers(session).levels->prepare(*request);
         const bool cancelled = levels && !*levels && levels->error().code == ErrorCode::Cancelled;
         if (!levels || cancelled) {
-            source.problem = cancelled ? levels->error().message : "The levels are being made…";
+            source.problem = cancelled ? levels->error().message : Sentence("The levels are being made…");
             return;
         }
         giveLevelsBack(session, source);
@@ -209,7 +209,7 @@ void drawOriginal(const BlockMicroscopeState& state) {
 
 void follow(Session& session, BlockMicroscopeState& state) {
     BlockSource& source = state.source;
-    source.problem.clear();
+    source.problem = {};
     if (source.kind == SourceKind::Own)
         return giveLevelsBack(session, source);
     followLevels(session, source);

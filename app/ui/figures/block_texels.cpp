@@ -35,14 +35,14 @@ void drawBlockAxes(ImDrawList& draw, ImVec2 corner, float extent) {
     arrow({middle, from}, {middle, to}, {0, head}, color::t);
 }
 
-std::string texelTip(const BlockMicroscopeState& state, const BlockLook& look, std::size_t texel,
-                     const BlockColor& color) {
+Sentence texelTip(const BlockMicroscopeState& state, const BlockLook& look, std::size_t texel,
+                  const BlockColor& color) {
     return alphaCount(state.format) > 0
-               ? fmt::format("Texel {}, {}: {} {} {}, alpha {}, colour index {}, alpha {}", texel % 4,
-                             texel / 4, color[0], color[1], color[2], color[3], look.fields.indices[texel],
-                             look.fields.alphas[texel])
-               : fmt::format("Texel {}, {}: {} {} {}, alpha {}, colour index {}", texel % 4, texel / 4,
-                             color[0], color[1], color[2], color[3], look.fields.indices[texel]);
+               ? Sentence("Texel {0}, {1}: {2} {3} {4}, alpha {5}, colour index {6}, alpha {7}", texel % 4,
+                          texel / 4, color[0], color[1], color[2], color[3], look.fields.indices[texel],
+                          look.fields.alphas[texel])
+               : Sentence("Texel {0}, {1}: {2} {3} {4}, alpha {5}, colour index {6}", texel % 4, texel / 4,
+                          color[0], color[1], color[2], color[3], look.fields.indices[texel]);
 }
 
 } // namespace

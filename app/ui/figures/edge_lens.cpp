@@ -236,7 +236,8 @@ void drawLensReading(EdgeLensState& state, const LensRow& row, Wrap wrap) {
     }
     const glm::vec3 bytes = glm::round(glm::clamp(row.colorOf(sample), 0.0F, 1.0F) * 255.0F);
     text(Sentence("Colour {0}; the border's share is {1:.0f} %",
-                  fmt::format("{:.0f} {:.0f} {:.0f}", bytes.r, bytes.g, bytes.b), sample.border * 100));
+                  ProperName{fmt::format("{:.0f} {:.0f} {:.0f}", bytes.r, bytes.g, bytes.b)},
+                  sample.border * 100));
     noteItem(fmt::format("edge:border {:.2f}", sample.border));
 }
 
@@ -261,7 +262,7 @@ void drawLensStrips(const Session& session, const ParamPlace& place, const LensR
         choiceTip(mode);
         if (ImGui::IsItemHovered() && wrap != chosen)
             preview(session, fmt::format("{}={}", path, mode.name),
-                    fmt::format("{}: {}", place.row->label, mode.label),
+                    Sentence("{0}: {1}", place.row->label, mode.label),
                     [&](Scene& scene) { (void)setParam(scene, path, mode.name); });
         ImDrawList& draw = *ImGui::GetWindowDrawList();
         const std::string name = fitted(shownBrief(session.settings, mode), names - em * 0.6F);

@@ -248,7 +248,7 @@ void drawEmbossDrawings(EmbossTheoryState& state, const EmbossFigure& figure, Im
 }
 
 /// A line of the calculation.
-void embossLine(const std::string& words, ImU32 ink, std::string_view name) {
+void embossLine(const Sentence& words, ImU32 ink, std::string_view name) {
     wrappedText(words, ink);
     noteItem(name);
 }
@@ -298,18 +298,18 @@ void drawEmbossChoices(const Session& session, EmbossTheoryState& state, std::op
 void drawEmbossNumbers(const EmbossTheoryState& state, const EmbossFigure& figure) {
     const EmbossedPoint point = figure.at(state.s);
     const float em = ImGui::GetFontSize();
-    embossLine(fmt::format("ds = S·l × MAX_EMBOSS = {:.2f} × {:.3f} = {:.4f}", std::sin(figure.light),
-                           figure.depth, point.offset),
+    embossLine(Sentence("ds = S·l × MAX_EMBOSS = {0:.2f} × {1:.3f} = {2:.4f}", std::sin(figure.light),
+                        figure.depth, point.offset),
                color::text, fmt::format("emboss:ds {:.4f}", point.offset));
-    embossLine(fmt::format("H0 = H(s) = {:.2f}", point.h0), color::probed,
+    embossLine(ProperName{fmt::format("H0 = H(s) = {:.2f}", point.h0)}, color::probed,
                fmt::format("emboss:h0 {:.2f}", point.h0));
     ImGui::SameLine(0, em);
-    embossLine(fmt::format("H1 = H(s + ds) = {:.2f}", point.h1), color::accent,
+    embossLine(Sentence("H1 = H(s + ds) = {0:.2f}", point.h1), color::accent,
                fmt::format("emboss:h1 {:.2f}", point.h1));
-    embossLine(fmt::format("grey = 0.5 + (H0 - H1) / 2 = {:.2f}", point.grey), color::changed,
+    embossLine(Sentence("grey = 0.5 + (H0 - H1) / 2 = {0:.2f}", point.grey), color::changed,
                fmt::format("emboss:grey {:.2f}", point.grey));
-    embossLine(fmt::format("(1 + H0 - H1) × light × texel = {:.2f} × {:.2f} × texel", 2 * point.grey,
-                           figure.brightness),
+    embossLine(Sentence("(1 + H0 - H1) × light × texel = {0:.2f} × {1:.2f} × texel", 2 * point.grey,
+                        figure.brightness),
                color::text, "emboss:color");
     ImGui::SameLine(0, em * 0.4F);
     const ImVec2 low = ImGui::GetCursorScreenPos();

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace texplorer::ui {
 namespace {
@@ -163,9 +164,9 @@ std::string nameOf(const CellPlace& cell) {
 }
 
 /// The name of the undo step and of the preview.
-std::string wordsOf(const CellPlace& cell) {
-    return fmt::format("{}: {}, {}", "Environment", texplorer::rowOf(cell.mode()).label,
-                       texplorer::rowOf(cell.format()).label);
+Sentence wordsOf(const CellPlace& cell) {
+    return {"{0}: {1}, {2}", "Environment", texplorer::rowOf(cell.mode()).label,
+            texplorer::rowOf(cell.format()).label};
 }
 
 void take(Scene& scene, const Selection& selection, const TableSubject& subject, const CellPlace& cell) {
@@ -177,9 +178,9 @@ void take(Scene& scene, const Selection& selection, const TableSubject& subject,
         scene.textures[texture].internalFormat = internalFormat(cell.format());
 }
 
-std::string sourceText(BaseFormat format) {
+Sentence sourceText(BaseFormat format) {
     const auto [source, alpha] = reference::sourceSymbols(format);
-    return fmt::format("Cs = {}, As = {}", source, alpha);
+    return {"Cs = {0}, As = {1}", ProperName{source}, ProperName{alpha}};
 }
 
 void cellTip(const Session& session, const CellPlace& cell, const TableColors& colors) {
@@ -188,21 +189,21 @@ void cellTip(const Session& session, const CellPlace& cell, const TableColors& c
     const Settings& settings = session.settings;
     const reference::EnvironmentEquations equations =
         reference::equationsOf(cell.mode(), cell.format(), reference::inputsOf(cell.format(), colors));
-    std::string words = fmt::format("{}, {}", tr(shownName(settings, texplorer::rowOf(cell.mode()))),
-                                    tr(shownName(settings, texplorer::rowOf(cell.format()))));
+    const Sentence names("{0}, {1}", shownName(settings, texplorer::rowOf(cell.mode())),
+                         shownName(settings, texplorer::rowOf(cell.format())));
     if (equations.undefined)
-        return helpTip(words + "\n" +
-                       tr("The specification leaves this undefined. Here the incoming colour stays; a "
-                          "driver may do anything else."));
-    words += "\n" + sourceText(cell.format());
-    constexpr std::array names{"red", "green", "blue"};
-    using reference::withHandSigns;
-    words += "\n" + withHandSigns(equations.color.symbols);
-    for (std::size_t i = 0; i < names.size(); ++i)
-        words += fmt::format("\n  {}: {}", tr(names.at(i)), withHandSigns(equations.color.numbers.at(i)));
-    words += fmt::format("\n{}: {}", withHandSigns(equations.alpha.symbols),
-                         withHandSigns(equations.alpha.numbers.at(0)));
-    helpTip(words);
+        return helpTip(Sentence("{0}\n{1}", names,
+                                "The specification leaves this undefined. Here the incoming colour stays; a "
+                                "driver may do anything else."));
+    const auto formula = [](const Sentence& text) {
+        return Sentence(ProperName{reference::withHandSigns(tr(text))});
+    };
+    std::vector<Sentence> lines{names, sourceText(cell.format()), formula(equations.color.symbols)};
+    constexpr std::array components{"red", "green", "blue"};
+    for (std::size_t i = 0; i < components.size(); ++i)
+        lines.push_back({"  {0}: {1}", components.at(i), formula(equations.color.numbers.at(i))});
+    lines.push_back({"{0}: {1}", formula(equations.alpha.symbols), formula(equations.alpha.numbers.at(0))});
+    helpTip(Sentence::joined("{0}\n{1}", lines));
 }
 
 void drawCell(const Session& session, const TableSubject& subject, const TableColors& colors,
@@ -250,7 +251,8 @@ void drawRowHead(const Session& session, const TableColors& colors, BaseFormat f
     shrunkText({low.x, top}, tr(shownName(session.settings, row)), large, size.x - gap, color::text);
     const ImVec2 at(low.x, top + large);
     colorPatch({at.x, at.y + 1}, {at.x + patch, at.y + small}, reference::inputsOf(format, colors).source);
-    shrunkText({at.x + patch + gap, at.y}, sourceText(format), small, size.x - patch - 2 * gap, color::dim);
+    shrunkText({at.x + patch + gap, at.y}, tr(sourceText(format)), small, size.x - patch - 2 * gap,
+               color::dim);
     ImGui::Dummy(size);
     choiceTip(row);
 }

@@ -3,8 +3,6 @@
 #include "texplorer/s3tc/decode.h"
 #include "texplorer/s3tc/flip.h"
 
-#include <fmt/core.h>
-
 #include <array>
 #include <cmath>
 
@@ -47,28 +45,26 @@ double errorOf(const BlockImage& stored, const BlockImage& again) {
     return std::sqrt(sum / static_cast<double>(expected.pixels.size()));
 }
 
-std::vector<std::string> beginning(const BlockImage& image) {
+std::vector<Sentence> beginning(const BlockImage& image) {
     const int height = image.height;
-    std::vector<std::string> words{
+    std::vector<Sentence> words{
         "As in the file: the first row is the top row of the image, but OpenGL takes it for the bottom row."};
     if (height == 1)
         words.emplace_back("There is only one row: nothing to do.");
     else if (height < 4)
-        words.push_back(
-            fmt::format("One row of blocks, of which {} texel rows are inside the image.", height));
+        words.push_back({"One row of blocks, of which {0} texel rows are inside the image.", height});
     else if (!flipsWithoutLoss(height))
-        words.push_back(
-            fmt::format("A height of {} is not a multiple of 4: the last block is used in part. Continue "
-                        "to see the result of the usual steps.",
-                        height));
+        words.push_back({"A height of {0} is not a multiple of 4: the last block is used in part. Continue "
+                         "to see the result of the usual steps.",
+                         height});
     return words;
 }
 
-std::vector<std::string> turning(std::span<const FlipStep> steps, std::size_t step) {
+std::vector<Sentence> turning(std::span<const FlipStep> steps, std::size_t step) {
     const BlockImage& image = steps[step].after;
     const int rows = turnedRows(image.height);
-    std::vector<std::string> words{fmt::format("Inside the blocks of row {}.", steps[step].first),
-                                   bytesThatMove(image.format, rows)};
+    std::vector<Sentence> words{Sentence("Inside the blocks of row {0}.", steps[step].first),
+                                bytesThatMove(image.format, rows)};
     if (rows < 4)
         words.emplace_back("The rows outside the image keep their bits.");
     const bool isLastTurn = step + 1 == steps.size() || steps[step + 1].act == Act::Recompress;
@@ -78,21 +74,21 @@ std::vector<std::string> turning(std::span<const FlipStep> steps, std::size_t st
         words.emplace_back("Done: the image is upside down, and no colour has changed.");
     else
         words.push_back(
-            fmt::format("Wrong: the image begins with {} unused rows, and has lost as many rows of its own.",
-                        4 - image.height % 4));
+            {"Wrong: the image begins with {0} unused rows, and has lost as many rows of its own.",
+             4 - image.height % 4});
     return words;
 }
 
 } // namespace
 
-std::vector<std::string> flipSentences(std::span<const FlipStep> steps, std::size_t step) {
+std::vector<Sentence> flipSentences(std::span<const FlipStep> steps, std::size_t step) {
     const FlipStep& now = steps[step];
     switch (now.act) {
     case Act::AsStored:
         return beginning(now.after);
     case Act::SwapBlockRows: {
-        std::vector<std::string> words{fmt::format(
-            "Swap the rows of blocks {} and {}, with each block unchanged.", now.first, now.second)};
+        std::vector<Sentence> words{Sentence(
+            "Swap the rows of blocks {0} and {1}, with each block unchanged.", now.first, now.second)};
         if (now.second - now.first == 2)
             words.emplace_back("The middle row stays in place.");
         return words;
@@ -103,8 +99,8 @@ std::vector<std::string> flipSentences(std::span<const FlipStep> steps, std::siz
         break;
     }
     return {"A new block would need rows of two old blocks, but has only two end colours for all of them.",
-            fmt::format("Decompressed, flipped and compressed again, it differs by {:.1f} of 255 (RMS).",
-                        errorOf(steps.front().after, now.after)),
+            Sentence("Decompressed, flipped and compressed again, it differs by {0:.1f} of 255 (RMS).",
+                     errorOf(steps.front().after, now.after)),
             "Texplorer decompresses such a texture at loading and flips its pixels; texshot flip refuses it "
             "without --lossy."};
 }

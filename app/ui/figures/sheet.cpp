@@ -26,8 +26,8 @@ constexpr float minCell = 6.5F; ///< heights of the text: narrower cells are scr
 struct NamedAxis {
     SweepAxis axis;
     const ParamRow* row;
-    std::vector<std::string> labels; ///< one for each value
-    std::size_t all;                 ///< the number of all values; `axis` has the shown ones
+    std::vector<Sentence> labels; ///< one for each value
+    std::size_t all;              ///< the number of all values; `axis` has the shown ones
 
     [[nodiscard]] std::size_t count() const { return axis.values.size(); }
 };
@@ -40,9 +40,8 @@ NamedAxis namedAxis(const Session& session, SweepAxis axis) {
     named.axis.values.resize(std::min(named.all, maxPerSide));
     const sheet::LabelKind kind =
         session.settings.glNames ? sheet::LabelKind::Names : sheet::LabelKind::Words;
-    named.labels = std::move(sheet::labelsOf(scene, std::span(&named.axis, 1), kind).front().values);
-    for (std::string& each : named.labels)
-        each = tr(each);
+    for (const std::string& value : named.axis.values)
+        named.labels.push_back(sheet::labelOf(*named.row, value, kind));
     return named;
 }
 
@@ -56,8 +55,8 @@ struct SheetPlan {
 
 float headOf(const NamedAxis& rows) {
     float width = 0;
-    for (const std::string& each : rows.labels)
-        width = std::max(width, ImGui::CalcTextSize(each.c_str()).x);
+    for (const Sentence& each : rows.labels)
+        width = std::max(width, ImGui::CalcTextSize(tr(each).c_str()).x);
     return std::min(std::ceil(width + ImGui::GetFontSize() * 0.6F),
                     std::floor(ImGui::GetContentRegionAvail().x * 0.22F));
 }
@@ -88,10 +87,10 @@ struct Axes {
     NamedAxis columns;
 };
 
-std::string wordsOf(const Session& session, const Axes& axes, std::size_t row, std::size_t column) {
+Sentence wordsOf(const Session& session, const Axes& axes, std::size_t row, std::size_t column) {
     const Settings& settings = session.settings;
-    return fmt::format("{}: {}, {}: {}", tr(shownName(settings, *axes.rows.row)), axes.rows.labels.at(row),
-                       tr(shownName(settings, *axes.columns.row)), axes.columns.labels.at(column));
+    return {"{0}: {1}, {2}: {3}", shownName(settings, *axes.rows.row), axes.rows.labels.at(row),
+            shownName(settings, *axes.columns.row), axes.columns.labels.at(column)};
 }
 
 /// The index of the scene's value on an axis; nothing if the axis does not have it.
@@ -121,8 +120,8 @@ void cellButton(const Session& session, const Axes& axes, const SheetPictures::C
     noteItem("sheet cell:" + name);
     if (own)
         noteItem("sheet:own");
-    const std::string words = wordsOf(session, axes, row, column);
-    helpTip(cell.problem.empty() ? words : words + "\n" + tr(cell.problem));
+    const Sentence words = wordsOf(session, axes, row, column);
+    helpTip(cell.problem.empty() ? words : Sentence("{0}\n{1}", words, cell.problem));
     if (ImGui::IsItemHovered() && !own && cell.problem.empty())
         preview(
             session, fmt::format("{}={},{}={}", axes.rows.axis.path, down, axes.columns.axis.path, across),
@@ -166,15 +165,15 @@ void drawPictures(const std::vector<CellBox>& boxes, const SheetPictures::Cells&
     }
 }
 
-void axisName(ImVec2 at, const std::string& name, float room, bool own) {
-    shrunkText(at, name, ImGui::GetFontSize(), room, own ? color::accent : color::text);
+void axisName(ImVec2 at, const Sentence& name, float room, bool own) {
+    shrunkText(at, tr(name), ImGui::GetFontSize(), room, own ? color::accent : color::text);
 }
 
 void drawNames(const NamedAxis& columns, const SheetPlan& plan, std::optional<std::size_t> own) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     for (std::size_t i = 0; i < columns.count(); ++i) {
         const float left = origin.x + plan.head + static_cast<float>(i) * (plan.cell.x + plan.gap);
-        const std::string& name = columns.labels.at(i);
+        const Sentence& name = columns.labels.at(i);
         axisName({left, origin.y}, name, plan.cell.x - ImGui::GetFontSize() * 0.4F, own == i);
         ImGui::SetCursorScreenPos({left, origin.y});
         ImGui::Dummy({plan.cell.x, plan.line});
@@ -192,8 +191,8 @@ void drawCells(const Session& session, const Axes& axes, const SheetPlan& plan,
     for (std::size_t row = 0; row < axes.rows.count(); ++row) {
         const float top = origin.y + static_cast<float>(row) * (plan.cell.y + plan.gap) + 1;
         const float em = ImGui::GetFontSize();
-        const std::string& name = axes.rows.labels.at(row);
-        axisName({origin.x, top + (plan.cell.y - em) / 2}, name, plan.head - em * 0.3F, ownRow == row);
+        axisName({origin.x, top + (plan.cell.y - em) / 2}, axes.rows.labels.at(row), plan.head - em * 0.3F,
+                 ownRow == row);
         for (std::size_t column = 0; column < axes.columns.count(); ++column) {
             const ImVec2 low(origin.x + plan.head + static_cast<float>(column) * (plan.cell.x + plan.gap),
                              top);
@@ -212,10 +211,9 @@ void sentence(const Axes& axes) {
     for (const NamedAxis* axis : {&axes.rows, &axes.columns}) {
         if (axis->all <= axis->count())
             continue;
-        const std::string words =
-            fmt::format("{} has {} values, and the first {} are shown. Type the values to show; a file has "
-                        "all.",
-                        tr(axis->row->label), axis->all, axis->count());
+        const Sentence words(
+            "{0} has {1} values, and the first {2} are shown. Type the values to show; a file has all.",
+            axis->row->label, axis->all, axis->count());
         if (fittedText(words, color::problem))
             helpTip(words);
         return noteItem("sheet:too many");

@@ -34,6 +34,6 @@ void drawSheetControls(const Session& session, SheetState& state, const SheetAxe
                        const std::function<void()>& sentence);
 
 /// Shows why there is no sheet.
-void sheetProblem(const std::string& words);
+void sheetProblem(const Sentence& words);
 
 } // namespace texplorer::ui

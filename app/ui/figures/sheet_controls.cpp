@@ -25,9 +25,9 @@ namespace {
 constexpr std::array<const char*, 2> sideNames{"Rows", "Columns"};
 
 /// The label of the parameter at a path; the path if there is none.
-std::string labelAt(const Session& session, const std::string& path) {
+Sentence labelAt(const Session& session, const std::string& path) {
     const Result<ParamAt> at = paramAt(presentScene(session), path);
-    return at ? std::string(shownName(session.settings, *at->row)) : path;
+    return at ? Sentence(shownName(session.settings, *at->row)) : ProperName{path};
 }
 
 void findOffers(const Session& session, SheetState& state) {
@@ -83,7 +83,7 @@ std::optional<std::string> choosePath(const Session& session, SheetState& state,
                 chosen = offer.path;
             noteItem("sheet offer:" + offer.path);
             ImGui::SameLine(em * 11);
-            dimText(offer.path);
+            dimPlainText(offer.path);
         }
     }
     ImGui::EndChild();
@@ -188,7 +188,7 @@ void axisControls(const Session& session, SheetState& state, const SheetAxes& sh
     if (ImGui::Button(fmt::format("{}###path", name).c_str(), {width, 0}))
         ImGui::OpenPopup("paths");
     item(fmt::format("sheet:{}", sideNames.at(side)),
-         Sentence("{0}\n{1}", axis.path, tr("Select another parameter.")));
+         Sentence("{0}\n{1}", ProperName{axis.path}, "Select another parameter."));
     if (ImGui::BeginPopup("paths")) {
         if (std::optional<std::string> path = choosePath(session, state, axis.path))
             choose({*std::move(path), "*"});
@@ -234,7 +234,7 @@ void pairChoice(const Session& session, float width) {
 
 } // namespace
 
-void sheetProblem(const std::string& words) {
+void sheetProblem(const Sentence& words) {
     wrappedText(words, color::problem);
     noteItem("sheet:problem");
 }

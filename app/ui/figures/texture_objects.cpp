@@ -76,11 +76,11 @@ void lightItem(bool changed, std::string_view name) {
 }
 
 /// In the order of Sampled.
-constexpr std::array sampledRemarks{
-    "Object {} is bound, texturing is off",
-    "Object {} has no image: untextured",
-    "Object {} lacks mipmaps: untextured",
-    "Object {} is drawn",
+constexpr std::array<Sentence::Key<Name>, 4> sampledRemarks{
+    "Object {0} is bound, texturing is off",
+    "Object {0} has no image: untextured",
+    "Object {0} lacks mipmaps: untextured",
+    "Object {0} is drawn",
 };
 
 /// The start of a unit's line to its object, and the end at the object's row.
@@ -105,8 +105,7 @@ void drawUnitCard(const Session& session, const TextureObjectsState& state, std:
     ImGui::BeginGroup();
     const float inner = width - side - 3 * pad;
     ImGui::PushStyleColor(ImGuiCol_Text, isActive ? color::chosen : color::text);
-    const std::string title = fmt::format("Unit {}", number);
-    if (ImGui::Button(label(fmt::format("{}###unit", tr(title))).c_str()))
+    if (ImGui::Button(fmt::format("{}###unit", tr(Sentence("Unit {0}", number))).c_str()))
         wanted = objects::ActiveTexture{number};
     ImGui::PopStyleColor();
     item(fmt::format("objects:unit {}", number), codeOf(objects::ActiveTexture{number}));
@@ -127,8 +126,7 @@ void drawUnitCard(const Session& session, const TextureObjectsState& state, std:
     lightItem(unit.envMode != before.envMode, fmt::format("env {}", number));
     ImGui::EndDisabled();
     const objects::Sampled sampled = sampledBy(state.names, number);
-    const std::string remark =
-        tr(fmt::format(fmt::runtime(sampledRemarks.at(static_cast<std::size_t>(sampled))), unit.bound));
+    const std::string remark = tr(Sentence(sampledRemarks.at(static_cast<std::size_t>(sampled)), unit.bound));
     const bool isWrong = sampled == objects::Sampled::NoImage || sampled == objects::Sampled::NoMipmaps;
     plotText(ImGui::GetCursorScreenPos(), {0, 0}, remark, isWrong ? color::problem : color::text);
     ImGui::Dummy({inner, em});
@@ -149,7 +147,7 @@ void drawUnitCard(const Session& session, const TextureObjectsState& state, std:
 }
 
 /// A cell of the table, highlighted if the last call changed it.
-void objectCell(const std::string& words, bool changed, std::string_view name) {
+void objectCell(const Sentence& words, bool changed, std::string_view name) {
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(fitted(words, ImGui::GetContentRegionAvail().x).c_str());
@@ -174,7 +172,7 @@ void drawObjectRow(const Session& session, const TextureObjectsState& state, Nam
         ends.names.at(name) = ImVec2(low.x, low.y + ImGui::GetFrameHeight() / 2);
     const bool isBound = state.names.activeUnit().bound == name;
     ImGui::PushStyleColor(ImGuiCol_Text, isBound ? color::chosen : color::text);
-    callButton(label(fmt::format("{}###bind", tr(Sentence("Bind {0}", name)))).c_str(),
+    callButton(fmt::format("{}###bind", tr(Sentence("Bind {0}", name))).c_str(),
                fmt::format("objects:bind {}", name), objects::BindTexture{name}, wanted,
                ImGui::GetContentRegionAvail().x);
     ImGui::PopStyleColor();
@@ -183,8 +181,8 @@ void drawObjectRow(const Session& session, const TextureObjectsState& state, Nam
     if (object) {
         const Texture& texture = object->state;
         const auto differs = [&](auto part) { return isMade || texture.*part != before->state.*part; };
-        const auto choice = [&](auto value) { return tr(shownName(session.settings, rowOf(value))); };
-        const auto brief = [&](Wrap wrap) { return tr(shownBrief(session.settings, rowOf(wrap))); };
+        const auto choice = [&](auto value) { return Sentence(shownName(session.settings, rowOf(value))); };
+        const auto brief = [&](Wrap wrap) { return Sentence(shownBrief(session.settings, rowOf(wrap))); };
         ImGui::TableNextColumn();
         const float side = ImGui::GetFrameHeight();
         const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -199,9 +197,9 @@ void drawObjectRow(const Session& session, const TextureObjectsState& state, Nam
             ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, color::lit);
         objectCell(choice(texture.magFilter), differs(&Texture::magFilter), fmt::format("mag {}", name));
         objectCell(choice(texture.minFilter), differs(&Texture::minFilter), fmt::format("min {}", name));
-        const std::string wraps = texture.wrapS == texture.wrapT
-                                      ? brief(texture.wrapS)
-                                      : fmt::format("{}, {}", brief(texture.wrapS), brief(texture.wrapT));
+        const Sentence wraps = texture.wrapS == texture.wrapT
+                                   ? brief(texture.wrapS)
+                                   : Sentence("{0}, {1}", brief(texture.wrapS), brief(texture.wrapT));
         objectCell(wraps, differs(&Texture::wrapS) || differs(&Texture::wrapT), fmt::format("wrap {}", name));
     } else {
         ImGui::TableSetColumnIndex(3);
@@ -225,7 +223,7 @@ void drawObjects(const Session& session, const TextureObjectsState& state, float
         return;
     constexpr auto fixed = ImGuiTableColumnFlags_WidthFixed;
     constexpr auto stretched = ImGuiTableColumnFlags_WidthStretch;
-    ImGui::TableSetupColumn("name", fixed, buttonWidth(fmt::format("Bind {}", 0).c_str()));
+    ImGui::TableSetupColumn("name", fixed, buttonWidth(Sentence("Bind {0}", 0)));
     ImGui::TableSetupColumn("image", fixed, em * 2.8F);
     ImGui::TableSetupColumn("mag", stretched, 1);
     ImGui::TableSetupColumn("min", stretched, 2.4F);
@@ -235,7 +233,7 @@ void drawObjects(const Session& session, const TextureObjectsState& state, float
     for (const char* heading : {"Object", "Image", "Mag", "Min", "Wrap"}) {
         ImGui::TableNextColumn();
         plotText(ImGui::GetCursorScreenPos(), {0, 0},
-                 fitted(tr(std::string(heading)), ImGui::GetContentRegionAvail().x * 1.15F), color::dim);
+                 fitted(heading, ImGui::GetContentRegionAvail().x * 1.15F), color::dim);
         ImGui::Dummy({0, em});
     }
     for (const auto& [name, object] : state.names.names)
@@ -300,10 +298,9 @@ void drawProgram(TextureObjectsState& state, Wanted& wanted) {
     ImGui::SameLine();
     const std::vector<ToldCall>& program = texbindCalls();
     const bool ended = state.played >= program.size();
-    const std::string words = ended
-                                  ? std::string("texbind.c: from the start")
-                                  : fmt::format("texbind.c: call {} of {}", state.played + 1, program.size());
-    if (ImGui::Button(label(fmt::format("{}###texbind", tr(words))).c_str())) {
+    const Sentence words = ended ? Sentence("texbind.c: from the start")
+                                 : Sentence("texbind.c: call {0} of {1}", state.played + 1, program.size());
+    if (ImGui::Button(fmt::format("{}###texbind", tr(words)).c_str())) {
         if (state.played == 0 || ended)
             state = {};
         makeCall(state, program[state.played].call);

@@ -31,7 +31,7 @@ void receiveInspected(Session& session, Result<ImageLoader::Content> content) {
         view.problem = describe(content.error());
         return;
     }
-    view.problem.clear();
+    view.problem = {};
     view.content = std::get<std::shared_ptr<const DissectedFile>>(std::move(*content));
     view.map = FieldMap(view.content->anatomy);
 }

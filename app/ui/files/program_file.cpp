@@ -1,10 +1,8 @@
 #include "app/ui/files/program_file.h"
 
-#include "texplorer/base/sentence_format.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/emit/program.h"
 #include "texplorer/files/file_io.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>
@@ -12,7 +10,7 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr std::string_view programFailure = "The program can't be written: {}.";
+constexpr Sentence::Key<Sentence> programFailure("The program can't be written: {0}.");
 
 std::string stemOf(const Document& document) {
     const std::filesystem::path& named = document.file.empty() ? document.suggested : document.file;
@@ -78,7 +76,7 @@ FileOrder programOrder(const Session& session, std::filesystem::path file) {
 void askSaveProgram(Session& session, emit::Flavour flavour) {
     const std::optional<emit::ProgramWorker::Program> program = programNow(session, flavour);
     if (program && !*program) {
-        session.look.notice = {fmt::format(fmt::runtime(programFailure), describe(program->error())), {}};
+        session.look.notice = {{programFailure, describe(program->error())}, {}};
         return;
     }
     session.asking.flavour = flavour;

@@ -5,8 +5,6 @@
 #include "app/view/picture_texts.h"
 #include "texplorer/animation/frame_times.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -58,7 +56,7 @@ std::size_t Recording::pictures() const {
 FileOrder fileOrder(Recording recording, std::filesystem::path file) {
     const std::size_t pictures = recording.pictures();
     return {
-        std::move(file), "The animation can't be written: {}.", pictures,
+        std::move(file), "The animation can't be written: {0}.", pictures,
         [recording = std::move(recording)](const FileMaking& making) { return madeOf(recording, making); }};
 }
 
@@ -77,21 +75,20 @@ Result<Recording> recordingOf(const Session& session) {
                         choice.format,
                         static_cast<double>(recordedSeconds(session)),
                         static_cast<double>(choice.perSecond)};
-    const auto refuse = [](std::string words) { return fail(ErrorCode::OutOfRange, std::move(words)); };
+    const auto refuse = [](Sentence words) { return fail(ErrorCode::OutOfRange, std::move(words)); };
     if (!(recording.perSecond > 0 && recording.perSecond <= format.maxPerSecond))
-        return refuse(fmt::format("expected up to {} pictures a second in a {}, found {:g}",
-                                  format.maxPerSecond, format.name, choice.perSecond));
+        return refuse({"expected up to {0} pictures a second in a {1}, found {2:g}", format.maxPerSecond,
+                       ProperName{format.name}, choice.perSecond});
     const int maxExtent = std::min(format.maxExtent, reference::maxPictureExtent);
     if (std::min(choice.width, choice.height) < 1 || std::max(choice.width, choice.height) > maxExtent)
-        return refuse(fmt::format("expected a picture of up to {} × {} pixels in a {}, found {} × {}",
-                                  maxExtent, maxExtent, format.name, choice.width, choice.height));
+        return refuse({"expected a picture of up to {0} × {1} pixels in a {2}, found {3} × {4}", maxExtent,
+                       maxExtent, ProperName{format.name}, choice.width, choice.height});
     if (!(recording.seconds > 0 && recording.picture.time >= 0 &&
           recording.picture.time + recording.seconds <= double{maxKeyTime}))
-        return refuse(fmt::format("expected an end within {:g} s, found {:g} s", maxKeyTime,
-                                  recording.picture.time + recording.seconds));
+        return refuse({"expected an end within {0:g} s, found {1:g} s", maxKeyTime,
+                       recording.picture.time + recording.seconds});
     if (recording.pictures() > maxPictures)
-        return refuse(
-            fmt::format("expected at most {} pictures, found {}", maxPictures, recording.pictures()));
+        return refuse({"expected at most {0} pictures, found {1}", maxPictures, recording.pictures()});
     return recording;
 }
 

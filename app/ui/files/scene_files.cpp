@@ -14,8 +14,6 @@
 #include "texplorer/scene/storage/scene_file.h"
 #include "texplorer/scene/storage/scene_link.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -93,8 +91,8 @@ Load sorted(const Session& session, const std::vector<fs::path>& files) {
             images.push_back(file);
         } else if (load.kind == Load::Kind::Scene) {
             load.refused.push_back({ErrorCode::OutOfRange,
-                                    fmt::format("only one scene is shown at a time, and {} is opened",
-                                                load.path.filename().string()),
+                                    Sentence("only one scene is shown at a time, and {0} is opened",
+                                             ProperName{load.path.filename().string()}),
                                     file.string()});
         } else {
             load.kind = Load::Kind::Scene;
@@ -292,7 +290,7 @@ void addImages(Scene& scene, const ImageSource& images, Load& load) {
         }
         if (scene.textures.size() >= maxTextures) {
             load.refused.push_back({ErrorCode::TooLarge,
-                                    fmt::format("a scene has at most {} textures", maxTextures),
+                                    Sentence("a scene has at most {0} textures", maxTextures),
                                     (images.directory() / name).string()});
             continue;
         }

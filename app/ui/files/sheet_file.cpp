@@ -5,12 +5,10 @@
 #include "app/ui/model/sheet_choice.h"
 #include "app/ui/state/sheet_choice.h"
 #include "app/view/picture_texts.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/codec/png/png.h"
 #include "texplorer/sheet/sheet_picture.h"
 #include "texplorer/text/printable.h"
-
-#include <fmt/core.h>
 
 #include <memory>
 #include <string_view>
@@ -54,7 +52,7 @@ Result<MadeFile> madeOf(const SheetOrder& order, const LetteredSheet& on, const 
     const std::size_t columns = order.columns.values.size();
     const std::size_t all = on.layout.cells.size();
     std::size_t refused = 0;
-    std::string firstRefusal;
+    Sentence firstRefusal;
     for (std::size_t cell = 0; cell < all; ++cell) {
         making.report(static_cast<float>(cell) / static_cast<float>(all));
         reference::DrawRequest request = order.picture;
@@ -72,7 +70,7 @@ Result<MadeFile> madeOf(const SheetOrder& order, const LetteredSheet& on, const 
         }
         if (frame.error().code == ErrorCode::Cancelled)
             return fail(frame.error());
-        const std::string words = describe(frame.error());
+        const Sentence words = describe(frame.error());
         picture.refuse(cell, printable(words));
         if (refused++ == 0)
             firstRefusal = words;
@@ -85,8 +83,8 @@ Result<MadeFile> madeOf(const SheetOrder& order, const LetteredSheet& on, const 
         return fail(bytes.error());
     MadeFile made{*std::move(bytes)};
     if (refused > 0)
-        made.remark =
-            fmt::format("{} of {} can't be drawn. Each shows the reason.", refused, countOf(all, "picture"));
+        made.remark = Sentence("{0} of {1} can't be drawn. Each shows the reason.", refused,
+                               Sentence::plural("{0} picture", "{0} pictures", all));
     return made;
 }
 
@@ -123,7 +121,7 @@ std::string sheetFileName(const Document& document) {
 Result<FileOrder> fileOrder(SheetOrder sheet, std::filesystem::path file) {
     return letteredSheet(sheet.content).map([&](LetteredSheet on) {
         const std::size_t pictures = on.layout.cells.size();
-        return FileOrder{std::move(file), "The sheet can't be written: {}.", pictures,
+        return FileOrder{std::move(file), "The sheet can't be written: {0}.", pictures,
                          [order = std::move(sheet), lettered = std::move(on)](const FileMaking& making) {
                              return madeOf(order, lettered, making);
                          }};

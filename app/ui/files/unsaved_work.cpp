@@ -18,7 +18,7 @@ void followEdits(Session& session) {
         session.look.notice = {.text = std::move(news->text), .file = {}, .isGood = news->isGood};
     if (SettingsFile* settings = session.services.settings) {
         settings->keep(session.settings);
-        if (std::optional<std::string> problem = settings->takeProblem())
+        if (std::optional<Sentence> problem = settings->takeProblem())
             say(session, std::move(*problem));
     }
     if (!session.services.unsaved)

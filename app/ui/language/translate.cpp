@@ -11,41 +11,32 @@ struct TextHash {
     std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
 };
 
-using Memory = std::unordered_map<std::string, std::string, TextHash, std::equal_to<>>;
-
 // Global, like Dear ImGui's own context, for the window that is being drawn.
 const Catalogue* inUse = nullptr;
 std::set<std::string, std::less<>>* gapsFound = nullptr;
-Names namesInUse;
-Memory translated; // most texts stay as they are from frame to frame
-Memory labelled;
+std::unordered_map<std::string, std::string, TextHash, std::equal_to<>> labelled; // same from frame to frame
 
-constexpr std::size_t maxRemembered = 20'000;
+constexpr std::size_t maxLabels = 20'000;
 
-void forget() {
-    translated.clear();
-    labelled.clear();
+void noteGap(std::string_view english) {
+    if (gapsFound)
+        gapsFound->emplace(english);
 }
 
-enum class Gap : bool { Ignored, Recorded };
-
-const std::string& remembered(std::string_view english, Gap gap = Gap::Recorded) {
-    const auto found = translated.find(english);
-    if (found != translated.end())
-        return found->second;
-    std::optional<std::string> text = inUse->translate(english, namesInUse);
-    if (!text && gapsFound && gap == Gap::Recorded)
-        gapsFound->emplace(english);
-    return translated.emplace(english, text ? *std::move(text) : std::string(english)).first->second;
+const std::string* found(std::string_view english) {
+    const std::string* text = inUse && !english.empty() ? inUse->find(english) : nullptr;
+    if (inUse && !text)
+        noteGap(english);
+    return text;
 }
 
 const std::string& rememberedLabel(std::string_view english) {
-    const auto found = labelled.find(english);
-    if (found != labelled.end())
-        return found->second;
+    const auto known = labelled.find(english);
+    if (known != labelled.end())
+        return known->second;
     const std::size_t end = english.find("##");
     const std::string_view shown = english.substr(0, end);
-    const std::string text = shown.empty() ? std::string() : remembered(shown);
+    const std::string text = tr(shown);
     std::string whole = text == shown ? std::string(english)
                         : english.find("###") != std::string_view::npos
                             ? text + std::string(english.substr(end))
@@ -57,7 +48,7 @@ const std::string& rememberedLabel(std::string_view english) {
 
 void useCatalogue(const Catalogue* catalogue, std::set<std::string, std::less<>>* gaps) {
     if (catalogue != inUse || gaps != gapsFound)
-        forget();
+        labelled.clear();
     inUse = catalogue;
     gapsFound = gaps;
 }
@@ -67,23 +58,19 @@ const Catalogue* catalogueInUse() {
 }
 
 const char* tr(const char* english) {
-    return inUse && *english ? remembered(english).c_str() : english;
+    const std::string* text = found(english);
+    return text ? text->c_str() : english;
 }
 
 std::string tr(std::string_view english) {
-    return inUse && !english.empty() ? remembered(english) : std::string(english);
+    const std::string* text = found(english);
+    return text ? *text : std::string(english);
 }
 
 std::string tr(const Sentence& english) {
-    if (!inUse)
+    if (!inUse || english.isName())
         return english;
-    if (english.key().empty())
-        return tr(std::string_view(english));
-    const auto word = [](std::string_view text) { return remembered(text, Gap::Ignored); }; // may be a name
-    return inUse->translate(english, word, [](std::string_view text) {
-        if (gapsFound)
-            gapsFound->emplace(text);
-    });
+    return english.key().empty() ? tr(std::string_view(english)) : inUse->translate(english, noteGap);
 }
 
 const char* label(const char* english) {
@@ -94,16 +81,16 @@ std::string label(std::string_view english) {
     return inUse && !english.empty() ? rememberedLabel(english) : std::string(english);
 }
 
-void beginTranslations() {
-    if (translated.size() > maxRemembered || labelled.size() > maxRemembered)
-        forget();
+std::string label(const Sentence& english) {
+    if (!inUse || (english.key().empty() && !english.isName()))
+        return label(std::string_view(english)); // may have a part after "##"
+    const std::string text = tr(english);
+    return text == english.english() ? text : text + "###" + english.english();
 }
 
-void keepNames(Names names) {
-    if (names == namesInUse)
-        return;
-    namesInUse = std::move(names);
-    forget();
+void beginTranslations() {
+    if (labelled.size() > maxLabels)
+        labelled.clear();
 }
 
 } // namespace texplorer::ui

@@ -15,8 +15,9 @@ void useCatalogue(const Catalogue* catalogue, std::set<std::string, std::less<>>
 [[nodiscard]] const Catalogue* catalogueInUse();
 
 /// Translates an English text to the window's language. Our own functions that take texts translate them;
-/// Dear ImGui's functions get the result of this one. The returned pointer of the first overload is valid
-/// until the next frame.
+/// Dear ImGui's functions get the result of this one. The returned pointer of the first overload is valid as
+/// long as the argument and the catalogue. A text is translated as a whole; one with inserted values is a
+/// Sentence.
 [[nodiscard]] const char* tr(const char* english);
 [[nodiscard]] std::string tr(std::string_view english);
 [[nodiscard]] inline std::string tr(const std::string& english) {
@@ -31,12 +32,9 @@ void useCatalogue(const Catalogue* catalogue, std::set<std::string, std::less<>>
 [[nodiscard]] inline std::string label(const std::string& english) {
     return label(std::string_view(english));
 }
+[[nodiscard]] std::string label(const Sentence& english);
 
-/// Begins a frame: cached translations may be freed.
+/// Begins a frame: cached labels may be freed.
 void beginTranslations();
-
-/// Sets the names that are not translated within sentences: a file or a model may have the same name as a
-/// text of the window, "Texture".
-void keepNames(Names names);
 
 } // namespace texplorer::ui

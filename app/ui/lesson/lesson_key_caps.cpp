@@ -73,7 +73,8 @@ bool isWithNext(const std::vector<lesson::LessonKey>& keys, std::size_t number) 
     return one && other && one->path == other->path && one->component == other->component;
 }
 
-/// The action of a key and its current effect, in one line, or in two if there is no room.
+/// The action of a key and its current effect, in the window's language: in one line, or in two if there is
+/// no room.
 void drawEffect(const std::string& words, const std::string& state, bool usable, float room) {
     const float em = ImGui::GetFontSize();
     const float wordsWidth = ImGui::CalcTextSize(words.c_str()).x + em * 0.35F;
@@ -84,9 +85,9 @@ void drawEffect(const std::string& words, const std::string& state, bool usable,
     const float width = below ? std::max(wordsWidth, stateWidth) : wordsWidth + stateWidth;
     ImGui::Dummy({std::min(width, room), capHeight() + (below ? em * 1.2F : 0)});
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddText(at, usable ? color::dim : color::faint, fitted(words, room).c_str());
+    draw.AddText(at, usable ? color::dim : color::faint, fitted(ProperName{words}, room).c_str());
     draw.AddText(below ? ImVec2(at.x, at.y + em * 1.2F) : ImVec2(at.x + wordsWidth, at.y),
-                 usable ? color::text : color::faint, fitted(state, room).c_str());
+                 usable ? color::text : color::faint, fitted(ProperName{state}, room).c_str());
 }
 
 } // namespace

@@ -58,7 +58,7 @@ void stepMarks(const Session& session, const LessonRun& run) {
         if (ImGui::InvisibleButton(fmt::format("mark {}", i).c_str(), {width, em}))
             goToStep(session, i);
         item(fmt::format("lesson step:{}", i + 1),
-             Sentence("{0}. {1}", i + 1, run.text(run.lesson.steps[i].title)));
+             Sentence("{0}. {1}", i + 1, ProperName{run.text(run.lesson.steps[i].title)}));
         const ImVec2 middle(low.x + width / 2, low.y + em / 2);
         const float radius = width * 0.3F;
         const bool isHere = i == run.step;
@@ -224,7 +224,7 @@ void drawTask(const Session& session, const LessonRun& run, const Match& match, 
         return dimText("Searching…");
     if (!run.hint->hint)
         return;
-    wrappedText(Sentence("Change {0}.", tr(run.hint->hint->label)));
+    wrappedText(Sentence("Change {0}.", run.hint->hint->label));
     if (session.look.shownParam != run.hint->hint->path)
         act(session, [path = run.hint->hint->path](Session& changed) { changed.look.shownParam = path; });
 }
@@ -286,7 +286,7 @@ void drawStep(const Session& session, const LessonRun& run, const Pictures& pict
     plainWrappedText(run.stepText(step.text));
     if (!run.start.fallback.empty())
         plainWrappedText(run.text(run.start.fallback), color::dim);
-    for (const std::string& note : imageNotes(run.start))
+    for (const auto& note : imageNotes(run.start))
         dimWrappedText(note);
     space();
     drawLessonKeys(session, run);

@@ -5,8 +5,6 @@
 #include "app/ui/model/level_view.h"
 #include "app/ui/widgets/param_widgets.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -20,7 +18,7 @@ struct HeldHandle {
     bool moved; ///< with the mouse
 };
 
-HeldHandle unseenHandle(const char* name, ImVec2 low, ImVec2 size, std::string_view help) {
+HeldHandle unseenHandle(const char* name, ImVec2 low, ImVec2 size, const Sentence& help) {
     ImGui::SetCursorScreenPos(low);
     ImGui::InvisibleButton(name, size);
     noteItem(name);
@@ -67,7 +65,7 @@ void drawLevelBar(const Session& session, const StripPlace& place, const LevelBa
 /// An end of the range to which λ is clamped. Beyond the strip there is no limit.
 struct LodEnd {
     const char* name;
-    const char* help; ///< with its value
+    Sentence::Key<Sentence> help; ///< with its value
     bool least;
     float lod;
     float unlimited;
@@ -76,10 +74,9 @@ struct LodEnd {
 void drawLodEnd(const Session& session, const Texture& texture, const StripPlace& place, const LodEnd& end) {
     const float x = place.xOf(static_cast<float>(place.base) + end.lod);
     const float reach = ImGui::GetFontSize() * 0.4F;
-    const std::string value = end.lod == end.unlimited ? tr("no limit") : fmt::format("{:.2f}", end.lod);
-    const auto [hot, moved] =
-        unseenHandle(end.name, {x - reach, place.axis - reach * 1.5F}, {2 * reach, 2 * reach},
-                     fmt::format(fmt::runtime(end.help), value));
+    const Sentence value = end.lod == end.unlimited ? Sentence("no limit") : Sentence("{0:.2f}", end.lod);
+    const auto [hot, moved] = unseenHandle(end.name, {x - reach, place.axis - reach * 1.5F},
+                                           {2 * reach, 2 * reach}, Sentence(end.help, value));
     if (moved) {
         const float level = place.levelUnderMouse();
         const bool beyond = end.least ? level <= static_cast<float>(place.first) - 0.45F
@@ -183,12 +180,12 @@ void drawLodAxis(const Session& session, const StripPlace& place) {
     const Texture& texture = *boundTexture(session);
     drawLodEnd(session, texture, place,
                {"levels:min lod",
-                "GL_TEXTURE_MIN_LOD: {}\n"
+                "GL_TEXTURE_MIN_LOD: {0}\n"
                 "The lower limit of λ. Drag it; at the end of the strip there is no limit.",
                 true, texture.minLod, noMinLod});
     drawLodEnd(session, texture, place,
                {"levels:max lod",
-                "GL_TEXTURE_MAX_LOD: {}\n"
+                "GL_TEXTURE_MAX_LOD: {0}\n"
                 "The upper limit of λ. Drag it; at the end of the strip there is no limit.",
                 false, texture.maxLod, noMaxLod});
     drawLodRange(session, texture, place);

@@ -166,22 +166,23 @@ void StripDrawing::cellTip(const ShownLevel& level) const {
     const int number = level.report.number;
     const std::string extents = levelExtentsText(level.report, target_);
     if (level.missing)
-        return helpTip(Sentence("Level {0} is missing: it would have {1} texels.", number, extents));
-    std::vector<std::string> lines{
-        target_ == Target::CubeMap ? fmt::format("Level {}: six faces of {} texels, here {}", number, extents,
-                                                 rowOf(cubeFaceAt(state_.face)).label)
+        return helpTip(
+            Sentence("Level {0} is missing: it would have {1} texels.", number, ProperName{extents}));
+    std::vector<Sentence> lines{
+        target_ == Target::CubeMap ? Sentence("Level {0}: six faces of {1} texels, here {2}", number,
+                                              ProperName{extents}, rowOf(cubeFaceAt(state_.face)).label)
         : target_ == Target::Texture3D
-            ? fmt::format("Level {}: {} texels, here the slice in the middle", number, extents)
-            : fmt::format("Level {}: {} texels", number, extents)};
+            ? Sentence("Level {0}: {1} texels, here the slice in the middle", number, ProperName{extents})
+            : Sentence("Level {0}: {1} texels", number, ProperName{extents})};
     if (number < base())
-        lines.push_back(fmt::format("Never read: GL_TEXTURE_BASE_LEVEL is {}.", texture_.baseLevel));
+        lines.push_back(Sentence("Never read: GL_TEXTURE_BASE_LEVEL is {0}.", texture_.baseLevel));
     else if (number > max())
-        lines.push_back(fmt::format("Never read: GL_TEXTURE_MAX_LEVEL is {}.", texture_.maxLevel));
+        lines.push_back(Sentence("Never read: GL_TEXTURE_MAX_LEVEL is {0}.", texture_.maxLevel));
     lines.emplace_back(texture_.baseLevel == number && texture_.maxLevel == number
                            ? "Click: read the previous levels again"
                            : "Click: read only this level (base and max level)");
     lines.emplace_back("The flag has the colour of this level when Mipmaps is Coloured.");
-    helpTip(fmt::format("{}", fmt::join(lines, "\n")));
+    helpTip(Sentence::joined("{0}\n{1}", lines));
 }
 
 void StripDrawing::drawCell(std::size_t index) {

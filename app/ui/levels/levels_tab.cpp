@@ -26,10 +26,10 @@ constexpr Range biasRange{-16, 16, 0.05F, {}};
 void pixelLine(const Session& session, float room) {
     const reference::LevelMap* map = levelMapOf(session);
     const reference::PixelLevels* levels = askedLevels(session);
-    const std::string words = !map                  ? "No pixel reads a level"
-                              : levels              ? reference::levelsText(*map, *levels)
-                              : askedPixel(session) ? "This pixel reads no level"
-                                                    : "Point at a pixel of the view";
+    const Sentence words = !map                  ? "No pixel reads a level"
+                           : levels              ? reference::levelsText(*map, *levels)
+                           : askedPixel(session) ? "This pixel reads no level"
+                                                 : "Point at a pixel of the view";
     const std::string shown = fitted(words, room);
     ImGui::AlignTextToFramePadding();
     plainText(shown, levels ? color::probed : color::dim);
@@ -49,28 +49,28 @@ const Finding* incompleteness(const Session& session, const std::string& texture
 }
 
 /// Why fewer levels are read than expected; empty: no remark.
-std::string remark(const Session& session, const Texture& texture, const Unit& unit,
-                   const LevelsSummary& summary) {
+Sentence remark(const Session& session, const Texture& texture, const Unit& unit,
+                const LevelsSummary& summary) {
     if (!unit.enabled)
-        return fmt::format("Unit {} is off: its texture is not read.", session.look.selection.unit);
+        return Sentence("Unit {0} is off: its texture is not read.", session.look.selection.unit);
     const std::vector<LevelReport>& levels = summary.report.levels;
     if (texture.baseLevel == texture.maxLevel && levels.size() > 1)
-        return fmt::format("Only level {} is read, for any λ.", texture.baseLevel);
+        return Sentence("Only level {0} is read, for any λ.", texture.baseLevel);
     if (levels.size() == 1)
         return "There is only the base level: minified pixels have no smaller level to read.";
     if (!reference::wantsMipmaps(texture.minFilter))
-        return fmt::format("The minification filter {} reads only the base level, for any λ.",
-                           rowOf(texture.minFilter).name);
+        return Sentence("The minification filter {0} reads only the base level, for any λ.",
+                        ProperName{rowOf(texture.minFilter).name});
     return {};
 }
 
 void fixButtons(const Session& session, const Finding& finding) {
     for (const Fix& fix : finding.fixes) {
         if (&fix != &finding.fixes.front())
-            sameLineFor(buttonWidth(fix.label.c_str()), ImGui::GetStyle().ItemSpacing.x);
+            sameLineFor(buttonWidth(fix.label), ImGui::GetStyle().ItemSpacing.x);
         if (ImGui::SmallButton(label(fix.label).c_str()))
             applyFix(session, fix);
-        item("levels:fix " + fix.label, assignmentsOf(fix));
+        item("levels:fix " + fix.label.english(), assignmentsOf(fix));
     }
 }
 
@@ -78,12 +78,13 @@ void fixButtons(const Session& session, const Finding& finding) {
 void faceChoice(LevelsTabState& state) {
     std::vector<Segment> faces;
     for (int face = 0; face < cubeFaceCount; ++face)
-        faces.push_back({std::string(rowOf(cubeFaceAt(face)).label)});
-    const auto pressed = drawSegments(
-        faces, ImGui::GetContentRegionAvail().x, static_cast<std::size_t>(state.face), [](std::size_t i) {
-            const EnumRow& row = rowOf(cubeFaceAt(static_cast<int>(i)));
-            item(fmt::format("levels:face {}", row.label), Sentence("{0}\n{1}", row.name, row.help));
-        });
+        faces.push_back({rowOf(cubeFaceAt(face)).label});
+    const auto pressed = drawSegments(faces, ImGui::GetContentRegionAvail().x,
+                                      static_cast<std::size_t>(state.face), [](std::size_t i) {
+                                          const EnumRow& row = rowOf(cubeFaceAt(static_cast<int>(i)));
+                                          item(fmt::format("levels:face {}", row.label),
+                                               Sentence("{0}\n{1}", ProperName{row.name}, row.help));
+                                      });
     if (pressed)
         state.face = static_cast<int>(*pressed);
 }
@@ -148,10 +149,10 @@ void drawSummary(const Session& session, LevelsTabState& state, const Pictures& 
          "them.");
     const std::string path = elementOf<&Scene::textures>(static_cast<std::size_t>(unit.texture)) + ".";
     if (const Finding* incomplete = incompleteness(session, path)) {
-        wrappedText(sentenceOf(*incomplete), color::problem);
+        wrappedText(shownSentence(incomplete->sentence), color::problem);
         noteItem("levels:incomplete");
         fixButtons(session, *incomplete);
-    } else if (const std::string words = remark(session, texture, unit, summary); !words.empty()) {
+    } else if (const Sentence words = remark(session, texture, unit, summary); !words.empty()) {
         wrappedText(words, color::dim);
         noteItem("levels:remark");
     }
@@ -173,8 +174,7 @@ void drawLevelsTab(const Session& session, LevelsTabState& state, const Pictures
         dimText("The levels are being made…");
         noteItem("levels:waiting");
     } else if (!summary->problem.empty() || summary->report.levels.empty()) {
-        wrappedText(summary->problem.empty() ? std::string("There is no level.") : summary->problem,
-                    color::problem);
+        wrappedText(summary->problem.empty() ? "There is no level." : summary->problem, color::problem);
         noteItem("levels:problem");
     } else {
         drawSummary(session, state, pictures, *summary);

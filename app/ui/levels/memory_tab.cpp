@@ -4,9 +4,10 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/levels/levels_tab.h"
+#include "app/ui/model/findings.h"
 #include "app/ui/model/level_view.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 
 #include <fmt/core.h>
 
@@ -24,45 +25,42 @@ std::string grouped(std::size_t number) {
 }
 
 /// Sentences about the bound texture: the renderer's, and those about levels that were not drawn yet.
-std::vector<std::string> sentencesOf(const Session& session, const Pictures& pictures,
-                                     const LevelsSummary* summary) {
-    const std::string where = fmt::format("textures[{}]: ", selectedUnit(session).texture);
-    std::vector<std::string> sentences;
-    const auto add = [&](std::string sentence) {
+std::vector<Sentence> sentencesOf(const Session& session, const Pictures& pictures,
+                                  const LevelsSummary* summary) {
+    const std::string where = fmt::format("textures[{}]", selectedUnit(session).texture);
+    std::vector<Sentence> sentences;
+    const auto add = [&](const Sentence& sentence) {
         if (std::ranges::find(sentences, sentence) == sentences.end())
-            sentences.push_back(std::move(sentence));
+            sentences.push_back(sentence);
     };
-    for (const std::string& problem : pictures.problems) {
-        if (problem.starts_with(where))
-            add(problem.substr(where.size()));
+    for (const Sentence& problem : pictures.problems) {
+        if (problem.key() == "{0}: {1}" && problem.arguments()[0] == where)
+            add(problem.arguments()[1]);
     }
     if (summary) {
-        for (const std::string& note : summary->notes)
+        for (const Sentence& note : summary->notes)
             add(note);
     }
     return sentences;
 }
 
-void drawSentences(const std::vector<std::string>& sentences) {
+void drawSentences(const std::vector<Sentence>& sentences) {
     for (std::size_t i = 0; i < sentences.size(); ++i) {
-        std::string sentence = sentences[i];
-        if (!sentence.empty() && sentence.front() >= 'a' && sentence.front() <= 'z')
-            sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
-        wrappedText(Sentence("{0}.", sentence), color::problem);
+        wrappedText(shownSentence(sentences[i]), color::problem);
         noteItem(fmt::format("memory:note {}", i));
     }
 }
 
 /// The memory of the levels, their number and format.
-std::string sumText(const Texture& texture, const LevelsSummary& summary) {
+Sentence sumText(const Texture& texture, const LevelsSummary& summary) {
     const TextureReport& report = summary.report;
     const std::string bytes = grouped(report.bytes);
-    const std::string levels = countOf(report.levels.size(), "level");
+    const Sentence levels = Sentence::plural("{0} level", "{0} levels", report.levels.size());
     const std::string_view format =
         summary.compressed ? rowOf(*summary.compressed).label : rowOf(texture.internalFormat).label;
     return summary.compressed && summary.byDriver
-               ? fmt::format("{} bytes in {}, {}, by the driver", bytes, levels, format)
-               : fmt::format("{} bytes in {}, {}", bytes, levels, format);
+               ? Sentence("{0} bytes in {1}, {2}, by the driver", ProperName{bytes}, levels, format)
+               : Sentence("{0} bytes in {1}, {2}", ProperName{bytes}, levels, format);
 }
 
 /// The sum, compared with the base level and with an uncompressed texture.
@@ -73,7 +71,7 @@ void drawSum(const Texture& texture, const LevelsSummary& summary) {
     ImGui::PopTextWrapPos();
     noteItem("memory:sum");
     float used = 0; // of the line; what does not fit begins the next one
-    const auto fact = [&](const std::string& words, const char* name, const char* help) {
+    const auto fact = [&](const Sentence& words, const char* name, const char* help) {
         const float gap = ImGui::GetFontSize();
         const float width = ImGui::CalcTextSize(tr(words).c_str()).x;
         if (used > 0 && used + gap + width <= ImGui::GetContentRegionMax().x)
@@ -84,12 +82,12 @@ void drawSum(const Texture& texture, const LevelsSummary& summary) {
         dimText(words);
         item(name, help);
     };
-    fact(fmt::format("{:.3f} × base", report.ratioToBase), "memory:ratio",
+    fact(Sentence("{0:.3f} × base", report.ratioToBase), "memory:ratio",
          "Each level of an image has a quarter of the texels of the level before, so a full chain has "
          "about 4/3 of its base level.");
-    fact(fmt::format("{:.1f} % of RGBA8", 100 * report.shareOfRgba8), "memory:rgba8",
+    fact(Sentence("{0:.1f} % of RGBA8", 100 * report.shareOfRgba8), "memory:rgba8",
          "The share of the memory of the same levels with four bytes a texel");
-    fact(fmt::format("{:.1f} % of RGB8", 100 * report.shareOfRgb8), "memory:rgb8",
+    fact(Sentence("{0:.1f} % of RGB8", 100 * report.shareOfRgb8), "memory:rgb8",
          "The share of the memory of the same levels with three bytes a texel");
 }
 

@@ -27,28 +27,28 @@ int neighbours(Target target) {
     return target == Target::Texture1D ? 2 : target == Target::Texture3D ? 8 : 4;
 }
 
-std::string magnifiedText(const UnitExplanation& unit, const std::string& times) {
+Sentence magnifiedText(const UnitExplanation& unit, ProperName times) {
     if (unit.sample.lod.probes > 1)
-        return fmt::format("Magnified {}×: {} samples along the footprint", times, unit.sample.lod.probes);
+        return Sentence("Magnified {0}×: {1} samples along the footprint", times, unit.sample.lod.probes);
     return unit.sampler.magFilter == MagFilter::Nearest
-               ? fmt::format("Magnified {}×: the nearest texel", times)
-               : fmt::format("Magnified {}×: linear, of {} texels", times, neighbours(unit.target));
+               ? Sentence("Magnified {0}×: the nearest texel", times)
+               : Sentence("Magnified {0}×: linear, of {1} texels", times, neighbours(unit.target));
 }
 
-std::string levelText(MinFilter filter, const std::string& times, int level) {
+Sentence levelText(MinFilter filter, ProperName times, int level) {
     switch (filter) {
     case MinFilter::Nearest:
-        return fmt::format("Minified {}×: the nearest texel of level {}, without mipmaps", times, level);
+        return Sentence("Minified {0}×: the nearest texel of level {1}, without mipmaps", times, level);
     case MinFilter::Linear:
-        return fmt::format("Minified {}×: linear in level {}, without mipmaps", times, level);
+        return Sentence("Minified {0}×: linear in level {1}, without mipmaps", times, level);
     case MinFilter::NearestMipmapNearest:
     case MinFilter::NearestMipmapLinear:
-        return fmt::format("Minified {}×: the nearest texel of level {}", times, level);
+        return Sentence("Minified {0}×: the nearest texel of level {1}", times, level);
     case MinFilter::LinearMipmapNearest:
     case MinFilter::LinearMipmapLinear:
         break;
     }
-    return fmt::format("Minified {}×: linear in level {}", times, level);
+    return Sentence("Minified {0}×: linear in level {1}", times, level);
 }
 
 struct Sign {
@@ -68,7 +68,7 @@ std::string_view signOf(CompareFunc function) {
     return found != compareSigns.end() ? found->sign : "";
 }
 
-std::string alphaFailedText(const reference::TestExplanation<float>& test) {
+Sentence alphaFailedText(const reference::TestExplanation<float>& test) {
     const std::string_view sign = signOf(test.function);
     if (sign.empty())
         return "The alpha test drops the fragment: nothing passes GL_NEVER";
@@ -78,11 +78,11 @@ std::string alphaFailedText(const reference::TestExplanation<float>& test) {
         return needsBytes ? fmt::format("{:.0f}/255", std::floor(std::clamp(alpha, 0.0F, 1.0F) * 255 + 0.5F))
                           : reference::numberText(alpha);
     };
-    return fmt::format("The alpha test drops the fragment: {} is not {} {}", shown(test.value), sign,
-                       shown(test.with));
+    return Sentence("The alpha test drops the fragment: {0} is not {1} {2}", ProperName{shown(test.value)},
+                    ProperName{sign}, ProperName{shown(test.with)});
 }
 
-std::string depthFailedText(const reference::TestExplanation<std::uint32_t>& test) {
+Sentence depthFailedText(const reference::TestExplanation<std::uint32_t>& test) {
     const std::string_view sign = signOf(test.function);
     if (sign.empty())
         return "The depth test drops the fragment: nothing passes GL_NEVER";
@@ -90,13 +90,13 @@ std::string depthFailedText(const reference::TestExplanation<std::uint32_t>& tes
         return reference::numberText(static_cast<float>(depth) / 16777215.0F); // 24 bits
     };
     const bool differ = shown(test.value) != shown(test.with);
-    return fmt::format("The depth test drops the fragment: {} is not {} {}",
-                       differ ? shown(test.value) : std::to_string(test.value), sign,
-                       differ ? shown(test.with) : std::to_string(test.with));
+    return Sentence("The depth test drops the fragment: {0} is not {1} {2}",
+                    ProperName{differ ? shown(test.value) : std::to_string(test.value)}, ProperName{sign},
+                    ProperName{differ ? shown(test.with) : std::to_string(test.with)});
 }
 
 /// Of a pixel that shows nothing but the background: why the nearest fragment isn't there.
-std::string nothingDrawnText(const reference::Explanation& explanation) {
+Sentence nothingDrawnText(const reference::Explanation& explanation) {
     const auto closest =
         std::ranges::min_element(explanation.fragments, {}, &reference::FragmentExplanation::depth);
     if (closest == explanation.fragments.end())
@@ -108,29 +108,31 @@ std::string nothingDrawnText(const reference::Explanation& explanation) {
 
 } // namespace
 
-std::string consequenceOf(const UnitExplanation& unit) {
+Sentence consequenceOf(const UnitExplanation& unit) {
     const reference::Lod& lod = unit.sample.lod;
     std::vector<LevelShare> levels = unit.sample.levels;
     std::erase_if(levels, [](const LevelShare& share) { return share.weight <= 0; });
     if (levels.empty() || !std::isfinite(lod.rho) || lod.rho <= 0)
         return "The level of detail is undefined here";
     if (lod.magnified)
-        return magnifiedText(unit, timesText(1 / lod.rho));
-    const std::string times = timesText(lod.rho);
+        return magnifiedText(unit, {timesText(1 / lod.rho)});
+    const std::string factor = timesText(lod.rho);
+    const ProperName times{factor};
     const bool isAlong = lod.probes > 1;
     if (levels.size() == 1)
-        return isAlong ? fmt::format("Minified {}×: {} samples along the footprint, level {}", times,
-                                     lod.probes, levels.front().level)
+        return isAlong ? Sentence("Minified {0}×: {1} samples along the footprint, level {2}", times,
+                                  lod.probes, levels.front().level)
                        : levelText(unit.sampler.minFilter, times, levels.front().level);
     const int first = static_cast<int>(std::lround(100 * levels[0].weight));
     if (isAlong)
-        return fmt::format("Minified {}×: {} samples along the footprint, {} % of level {}, {} % of level {}",
-                           times, lod.probes, first, levels[0].level, 100 - first, levels[1].level);
-    return fmt::format("Minified {}×: {} % of level {}, {} % of level {}", times, first, levels[0].level,
-                       100 - first, levels[1].level);
+        return Sentence(
+            "Minified {0}×: {1} samples along the footprint, {2} % of level {3}, {4} % of level {5}", times,
+            lod.probes, first, levels[0].level, 100 - first, levels[1].level);
+    return Sentence("Minified {0}×: {1} % of level {2}, {3} % of level {4}", times, first, levels[0].level,
+                    100 - first, levels[1].level);
 }
 
-std::string consequenceOf(const Session& session) {
+Sentence consequenceOf(const Session& session) {
     const reference::Explanation* explanation = explanationOf(session);
     if (!explanation)
         return {};
@@ -144,12 +146,12 @@ std::string consequenceOf(const Session& session) {
     return consequenceOf(seen->units.front());
 }
 
-std::string stateOf(const Document& document) {
-    const std::string_view edit = document.history.undoName();
+Sentence stateOf(const Document& document) {
+    const Sentence edit = document.history.undoName();
     const std::string name = document.file.filename().string();
     if (!isDirty(document))
-        return name.empty() ? "Nothing to save yet" : fmt::format("{} is saved", name);
-    return edit.empty() ? "Not saved" : fmt::format("Changed last: {} · not saved", edit);
+        return name.empty() ? "Nothing to save yet" : Sentence("{0} is saved", ProperName{name});
+    return edit.empty() ? "Not saved" : Sentence("Changed last: {0} · not saved", edit);
 }
 
 } // namespace texplorer::ui

@@ -24,7 +24,7 @@ Result<float> numberOf(std::string_view word, std::size_t line) {
     if (!(stream >> value) || stream.peek() != std::istringstream::traits_type::eof() ||
         !std::isfinite(value))
         return fail(ErrorCode::Malformed, Sentence("line {0}: expected a number, found \"{1}\"", line,
-                                                   printable(word.substr(0, maxWordLength))));
+                                                   ProperName{printable(word.substr(0, maxWordLength))}));
     if (value < double{coordRange.min} || value > double{coordRange.max})
         return fail(ErrorCode::OutOfRange, Sentence("line {0}: expected a number from {1} to {2}, found {3}",
                                                     line, coordRange.min, coordRange.max, value));

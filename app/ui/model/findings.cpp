@@ -1,5 +1,6 @@
 #include "app/ui/model/findings.h"
 
+#include "app/ui/language/translate.h"
 #include "texplorer/scene/params/scene_at.h"
 
 #include <fmt/core.h>
@@ -17,6 +18,21 @@ int indexIn(const std::string& path, std::string_view list) {
     if (at != std::string::npos)
         std::from_chars(path.data() + at + list.size() + 1, path.data() + path.size(), index);
     return index;
+}
+
+/// Latin and Russian letters; small Russian ones are D0 B0 to D0 BF and D1 80 to D1 8F in UTF-8, their
+/// capitals D0 90 to D0 AF.
+std::string withCapital(std::string text) {
+    const auto second = text.size() > 1 ? static_cast<unsigned char>(text[1]) : 0;
+    if (text.front() >= 'a' && text.front() <= 'z') {
+        text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    } else if (text.front() == '\xD0' && second >= 0xB0) {
+        text[1] = static_cast<char>(second - 0x20);
+    } else if (text.front() == '\xD1' && second <= 0x8F) {
+        text[0] = '\xD0';
+        text[1] = static_cast<char>(second + 0x20);
+    }
+    return text;
 }
 
 } // namespace
@@ -39,11 +55,8 @@ bool isUnused(const Session& session, std::string_view path) {
     });
 }
 
-std::string sentenceOf(const Finding& finding) {
-    std::string sentence = finding.sentence + ".";
-    if (sentence.front() >= 'a' && sentence.front() <= 'z')
-        sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
-    return sentence;
+Sentence shownSentence(const Sentence& problem) {
+    return ProperName{withCapital(tr(Sentence("{0}.", problem)))};
 }
 
 void reveal(Session& session, const std::string& path) {
@@ -76,11 +89,11 @@ void reveal(Session& session, const std::string& path) {
     session.look.shownParam = path;
 }
 
-std::string assignmentsOf(const Fix& fix) {
+Sentence assignmentsOf(const Fix& fix) {
     std::string lines;
     for (const edit::Set& each : fix.assignments)
         lines += fmt::format("{}{} = {}", lines.empty() ? "" : "\n", each.path, each.value);
-    return lines;
+    return ProperName{lines};
 }
 
 void applyFix(const Session& session, const Fix& fix) {

@@ -15,14 +15,15 @@ void diagnoseSession(Session& session, const DriverFacts& driver);
 /// Whether a parameter belongs to a choice that is not selected, so that it is not shown.
 [[nodiscard]] bool isUnused(const Session& session, std::string_view path);
 
-/// A finding as a sentence for a reader: "The texture is incomplete: … ."
-[[nodiscard]] std::string sentenceOf(const Finding& finding);
+/// The sentence of a finding or note in the window's language, with a capital and a full stop: "The texture
+/// is incomplete: …."
+[[nodiscard]] Sentence shownSentence(const Sentence& problem);
 
 /// Selects the object of a parameter, opens its section and scrolls to it in the next frame.
 void reveal(Session& session, const std::string& path);
 
 /// The assignments of a fix, one per line.
-[[nodiscard]] std::string assignmentsOf(const Fix& fix);
+[[nodiscard]] Sentence assignmentsOf(const Fix& fix);
 
 /// Applies a fix as one undo step.
 void applyFix(const Session& session, const Fix& fix);

@@ -3,8 +3,6 @@
 #include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
 
-#include <fmt/core.h>
-
 #include <utility>
 
 namespace texplorer::ui {
@@ -49,7 +47,7 @@ Scene keptFrom(const Session& session) {
     return scene;
 }
 
-void take(const Session& session, std::string name, const std::string& path) {
+void take(const Session& session, Sentence name, const std::string& path) {
     Selection selection = session.look.selection;
     selectAsInA(selection, session.document.kept.selection, path);
     edit::Replace replace{std::make_shared<const Scene>(keptFrom(session))};
@@ -125,7 +123,7 @@ std::vector<SceneChange> changesSinceKept(const Session& session) {
 }
 
 void takeFromKept(const Session& session, const SceneChange& change) {
-    take(session, fmt::format("{} of A", change.label), change.path);
+    take(session, Sentence("{0} of A", change.label), change.path);
 }
 
 void takeAllFromKept(const Session& session) {

@@ -28,7 +28,7 @@ void pressLessonKeys(const Session& session, std::span<const KeyPress> presses) 
     const std::optional<LessonRun>& run = session.lesson;
     if (!run || presses.empty())
         return;
-    std::string words;
+    Sentence words;
     Scene sum = presentScene(session); // of the additions
     for (const KeyPress& press : presses) {
         if (!isUsable(*run, press.key))
@@ -37,14 +37,14 @@ void pressLessonKeys(const Session& session, std::span<const KeyPress> presses) 
         if (const auto* addition = std::get_if<lesson::Addition>(&pressed.effect)) {
             // At the end of its range a number stays unchanged, without a message.
             static_cast<void>(addTo(sum, *addition, press.times, session.look.playback.time));
-            words = fmt::format("Key {}", pressed.key);
+            words = Sentence("Key {0}", pressed.key);
             continue;
         }
         lesson::ChosenChoices chosen = run->chosen;
         Scene changed = presentScene(session);
         if (!pressKey(changed, run->lesson.keys, chosen, press.key, session.window.textureUnits))
             continue;
-        submit(session, fmt::format("Key {}", pressed.key), [&](Scene& scene) { scene = changed; });
+        submit(session, Sentence("Key {0}", pressed.key), [&](Scene& scene) { scene = changed; });
         const bool isOverridden = changed == presentScene(session); // by another key's choice
         act(session, [isOverridden, made = PressedKey{std::move(changed), std::move(chosen)}](Session& s) {
             if (!s.lesson)

@@ -19,10 +19,8 @@ std::vector<LessonTitle> readTitles(Language language) {
         if (!found)
             continue; // a test reads all of them
         const std::shared_ptr<const Catalogue> catalogue = catalogueOfLesson(*folder, language);
-        const auto text = [&](const std::string& english) {
-            return (catalogue ? catalogue->translate(english) : std::nullopt).value_or(english);
-        };
-        titles.push_back({name, text(found->title), text(found->about), found->steps.size()});
+        titles.push_back({name, textIn(catalogue.get(), found->title), textIn(catalogue.get(), found->about),
+                          found->steps.size()});
     }
     return titles;
 }

@@ -7,7 +7,7 @@
 namespace texplorer::ui {
 
 std::string LessonRun::text(const std::string& english) const {
-    return (catalogue ? catalogue->translate(english) : std::nullopt).value_or(english);
+    return textIn(catalogue.get(), english);
 }
 
 std::string LessonRun::stepText(const std::string& english) const {

@@ -12,7 +12,7 @@ namespace texplorer::ui {
 namespace {
 
 /// Continues the step of a drag.
-void drag(const Session& session, std::string name, std::string path, std::string value) {
+void drag(const Session& session, Sentence name, std::string path, std::string value) {
     submit(session, {.name = std::move(name),
                      .edits = {edit::Set{path, std::move(value)}},
                      .path = path,
@@ -63,7 +63,7 @@ void toggleForced(Session& session, int level) {
         forced->level = level;
     else
         forced = {selectedUnit(session).texture, level, texture->baseLevel, texture->maxLevel};
-    submit(session, isForced ? "Read the previous levels" : fmt::format("Read level {} alone", level),
+    submit(session, isForced ? "Read the previous levels" : Sentence("Read level {0} alone", level),
            [levels, index = selectedUnit(session).texture](Scene& scene) {
                std::tie(textureIn(scene, index).baseLevel, textureIn(scene, index).maxLevel) = levels;
            });

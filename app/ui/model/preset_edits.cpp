@@ -16,10 +16,10 @@ PresetPlace selectedPlace(const Session& session) {
 } // namespace
 
 void choosePreset(const Session& session, const Preset& preset, std::string_view path) {
-    submit(session, {.name = std::string(preset.label),
+    submit(session, {.name = preset.label,
                      .edits = {edit::ApplyPreset{std::string(preset.name), selectedPlace(session)}},
                      .path = std::string(path),
-                     .says = fmt::format("{}: {}", preset.label, preset.look)});
+                     .says = Sentence("{0}: {1}", preset.label, preset.look)});
 }
 
 void previewPreset(const Session& session, const Preset& preset) {

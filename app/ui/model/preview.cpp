@@ -11,7 +11,7 @@
 
 namespace texplorer::ui {
 
-void preview(const Session& session, std::string_view choice, std::string_view text,
+void preview(const Session& session, std::string_view choice, const Sentence& text,
              const std::function<void(Scene&)>& edit) {
     const std::optional<Preview>& shown = session.look.preview;
     const Scene& scene = presentScene(session);
@@ -31,9 +31,8 @@ void preview(const Session& session, std::string_view choice, std::string_view t
         filesOf(edited), [&](const std::string& file) { return session.document.images.holds(file); });
     if (!isLoaded)
         return;
-    act(session, [made = Preview{std::string(choice), std::string(text),
-                                 std::make_shared<const Scene>(std::move(edited)), scene,
-                                 true}](Session& changed) { changed.look.preview = made; });
+    act(session, [made = Preview{std::string(choice), text, std::make_shared<const Scene>(std::move(edited)),
+                                 scene, true}](Session& changed) { changed.look.preview = made; });
 }
 
 void endPreview(Session& session) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/scene/scene.h"
 
 #include <functional>
@@ -12,7 +13,7 @@ struct Preview;
 /// Call in every frame in which the pointer rests on a choice. The view shows the document's scene with this
 /// edit from the next frame on, until the first frame without a call. A scene with an image that is not
 /// loaded is not shown. If there are several calls, the last one is used.
-void preview(const Session& session, std::string_view choice, std::string_view text,
+void preview(const Session& session, std::string_view choice, const Sentence& text,
              const std::function<void(Scene&)>& edit);
 
 /// Call at the end of a frame: ends a preview that was not requested in it.

@@ -18,7 +18,7 @@ struct Session;
 /// An action of the user that edits the scene: a step of undo. Panels submit steps; the editor makes them at
 /// the end of the frame, so that the scene stays the same while panels are drawn.
 struct Step {
-    std::string name;        ///< in undo: "Wrap s: Repeat"
+    Sentence name;           ///< in undo: "Wrap s: Repeat"
     std::vector<Edit> edits; ///< all are made, or none
     std::string path{};      ///< the changed parameter, if it is one
     bool continues = false;  ///< with others of its name, as in a drag, one step of undo until sealEdit

@@ -47,7 +47,7 @@ void bringSelectionBack(Session& session) {
                   [&session](std::size_t vertex) { return vertex >= selectedMesh(session).vertices.size(); });
 }
 
-Step stepThat(const Session& session, std::string name, const std::function<void(Scene&)>& change,
+Step stepThat(const Session& session, Sentence name, const std::function<void(Scene&)>& change,
               std::string path) {
     Step step{.name = std::move(name), .path = std::move(path)};
     if (std::optional<Edit> edit = editThat(presentScene(session), change))
@@ -73,12 +73,12 @@ void submit(const Session& session, Step step) {
         session.out.requests.emplace_back(std::move(step));
 }
 
-void submit(const Session& session, std::string name, const std::function<void(Scene&)>& change,
+void submit(const Session& session, Sentence name, const std::function<void(Scene&)>& change,
             std::string path) {
     submit(session, stepThat(session, std::move(name), change, std::move(path)));
 }
 
-void submitDrag(const Session& session, std::string name, const std::function<void(Scene&)>& change,
+void submitDrag(const Session& session, Sentence name, const std::function<void(Scene&)>& change,
                 std::string path) {
     Step step = stepThat(session, std::move(name), change, std::move(path));
     step.continues = true;

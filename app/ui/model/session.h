@@ -61,8 +61,8 @@ void showPresent(Session& session);
 void bringSelectionBack(Session& session);
 
 /// A step with the changes that a function makes in a copy of the scene (editThat), or without edits.
-[[nodiscard]] Step stepThat(const Session& session, std::string name,
-                            const std::function<void(Scene&)>& change, std::string path = {});
+[[nodiscard]] Step stepThat(const Session& session, Sentence name, const std::function<void(Scene&)>& change,
+                            std::string path = {});
 
 /// Has something done at the end of the frame (app/ui/editor), after the earlier requests.
 void act(const Session& session, Action action);
@@ -84,10 +84,10 @@ void ask(const Session& session, std::function<bool(Session&)> question);
 void submit(const Session& session, Step step);
 
 /// Submits the step with the changes of a function.
-void submit(const Session& session, std::string name, const std::function<void(Scene&)>& change,
+void submit(const Session& session, Sentence name, const std::function<void(Scene&)>& change,
             std::string path = {});
 /// The same for a part of a drag, which continues the undo step before it.
-void submitDrag(const Session& session, std::string name, const std::function<void(Scene&)>& change,
+void submitDrag(const Session& session, Sentence name, const std::function<void(Scene&)>& change,
                 std::string path = {});
 
 /// Requests an EndStep.

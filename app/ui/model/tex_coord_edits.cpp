@@ -13,7 +13,7 @@
 namespace texplorer::ui {
 namespace {
 
-Step coordsStep(const Session& session, std::string name, TexCoords coords) {
+Step coordsStep(const Session& session, Sentence name, TexCoords coords) {
     const Selection& selection = session.look.selection;
     auto changed = std::make_shared<Scene>(presentScene(session));
     selectedModel(*changed, selection).texCoords[static_cast<std::size_t>(selection.unit)] =
@@ -34,12 +34,12 @@ std::string coordsPath(const Session& session) {
     return fmt::format("models[{}].texCoords{}", session.look.selection.model, session.look.selection.unit);
 }
 
-void submitTexCoords(const Session& session, std::string name, TexCoords coords) {
+void submitTexCoords(const Session& session, Sentence name, TexCoords coords) {
     std::ranges::transform(coords, coords.begin(), withinCoordRange);
     submit(session, coordsStep(session, std::move(name), std::move(coords)));
 }
 
-void dragTexCoords(const Session& session, std::string name, TexCoords coords) {
+void dragTexCoords(const Session& session, Sentence name, TexCoords coords) {
     Step step = coordsStep(session, std::move(name), std::move(coords));
     step.continues = true;
     submit(session, std::move(step));

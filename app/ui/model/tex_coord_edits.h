@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/scene/params/params.h"
 
 #include <string>
@@ -18,9 +19,9 @@ inline constexpr Range coordRange{-1000, 1000, 0.005F, {}};
 
 /// Submits a step that sets the coordinates of the selected model and unit, within the range; empty: those of
 /// the mesh.
-void submitTexCoords(const Session& session, std::string name, TexCoords coords);
+void submitTexCoords(const Session& session, Sentence name, TexCoords coords);
 /// A part of a drag, with any coordinates.
-void dragTexCoords(const Session& session, std::string name, TexCoords coords);
+void dragTexCoords(const Session& session, Sentence name, TexCoords coords);
 
 // The actions of the buttons above the vertex list, on all coordinates of a model. r and q stay unchanged.
 

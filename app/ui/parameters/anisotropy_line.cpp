@@ -21,7 +21,7 @@ void offerAnisotropy(const Session& session, const ParamRow& row, const std::str
                          ? "One sample a pixel: no anisotropic filter"
                          : Sentence("Up to {0} samples along the longer side of a pixel's footprint", step));
     if (ImGui::IsItemHovered() && !isChosen)
-        preview(session, assignment, fmt::format("{}: {}", row.label, step),
+        preview(session, assignment, Sentence("{0}: {1}", row.label, step),
                 [&](Scene& scene) { (void)setParam(scene, path, std::to_string(step)); });
 }
 

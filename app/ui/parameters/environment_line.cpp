@@ -78,23 +78,22 @@ EnvironmentSample sampleOf(const Session& session, const Scene& scene, const Pas
     return referenceSample(session, scene, pass);
 }
 
-std::string numbersOf(glm::vec4 color) {
-    using reference::shortNumber;
-    return fmt::format("({}, {}, {}), alpha {}", shortNumber(color.r), shortNumber(color.g),
-                       shortNumber(color.b), shortNumber(color.a));
+Sentence numbersOf(glm::vec4 color) {
+    const auto number = [](float value) { return Sentence(ProperName{reference::shortNumber(value)}); };
+    return {"({0}, {1}, {2}), alpha {3}", number(color.r), number(color.g), number(color.b), number(color.a)};
 }
 
 void equationLine(const reference::Equation& equation, std::string_view name) {
-    const std::string line = reference::withHandSigns(equation.symbols);
+    const std::string line = reference::withHandSigns(tr(equation.symbols));
     ImGui::PushFont(codeFont());
-    const bool isCut = fittedText(line, color::text);
+    const bool isCut = fittedText(ProperName{line}, color::text);
     ImGui::PopFont();
     noteItem(fmt::format("environment:{}", name));
     noteItem(fmt::format("environment:{}", line));
     std::string tip = isCut ? line : std::string();
-    for (const std::string& numbers : equation.numbers)
-        tip += (tip.empty() ? "" : "\n") + reference::withHandSigns(numbers);
-    helpTip(tip);
+    for (const Sentence& numbers : equation.numbers)
+        tip += (tip.empty() ? "" : "\n") + reference::withHandSigns(tr(numbers));
+    helpTip(ProperName{tip});
 }
 
 /// A colour with its name; its alpha shows as a checker behind the right half.

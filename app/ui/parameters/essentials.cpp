@@ -2,11 +2,11 @@
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/parameters/sections.h"
 #include "app/ui/state/pinned.h"
+#include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/param_names.h"
-#include "texplorer/base/count.h"
-#include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/params/keys.h"
 #include "texplorer/scene/tex_coords.h"
+#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 
@@ -44,7 +44,7 @@ void vertexNumbers(const Session& session, float width) {
         ImGui::SetNextItemWidth(std::max(1.0F, width - ImGui::GetFontSize() * 0.6F - gap / 2));
         if (dragNumber("##coordinate", value[i], coordRange, i)) {
             submitDrag(
-                session, fmt::format("Move vertex {}", vertex),
+                session, Sentence("Move vertex {0}", vertex),
                 [&](Scene& scene) {
                     setTexCoord(selectedModel(scene, selection), mesh, selection.unit, vertex, value);
                 },
@@ -70,7 +70,7 @@ void vertexLine(const Session& session) {
     labelText("Vertex", vertex ? color::chosen : color::text);
     if (model && count > 0)
         helpTip(Sentence("Vertex 0 to {0} of model {1} ({2})", count - 1, session.look.selection.model,
-                         nameOf(*model)));
+                         shownNameOf(*model)));
     ImGui::SameLine(0, gap);
     if (squareButton("◀", "previous vertex", "The previous vertex", count > 0))
         stepVertex(session, false);
@@ -175,7 +175,7 @@ void matrixBlock(const Session& session) {
     const std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
     labelText("Texture matrix");
     ImGui::SameLine();
-    dimText(steps.empty() ? std::string(tr("identity")) : countOf(steps.size(), "step"));
+    dimText(steps.empty() ? word("identity") : Sentence::plural("{0} step", "{0} steps", steps.size()));
     if (!steps.empty()) {
         ImGui::SameLine();
         if (ImGui::SmallButton(label("Edit")))

@@ -1,5 +1,4 @@
 #include "app/ui/files/asking.h"
-#include "app/ui/language/translate.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/buttons.h"
@@ -19,7 +18,7 @@ constexpr std::size_t minPerLine = 8;
 /// One picture of the choice, and the edits that set it.
 struct Choice {
     std::string name; ///< its name in tests
-    std::string label;
+    Sentence label;
     std::string_view help;
     std::shared_ptr<const Image> image;
     bool isCurrent;
@@ -88,8 +87,8 @@ void imageChoice(const Session& session, const Pictures& pictures) {
         ImGui::NewLine();
     const float room = right - buttonWidth(open) - ImGui::GetStyle().ItemSpacing.x - ImGui::GetCursorPosX();
     const bool hasRoom = room > ImGui::GetFontSize() * 3; // for more than dots
-    dimText(hasRoom ? fitted(shownNameOfImage(texture), room) : "");
-    helpTip(shownNameOfImage(texture));
+    dimPlainText(hasRoom ? fitted(nameOfImage(texture), room) : "");
+    helpTip(nameOfImage(texture));
     ImGui::SameLine(std::max(0.0F, right - buttonWidth(open)));
     if (button(open, "open image",
                "Opens an image file for this texture. Or drop one onto the window (Ctrl+I)"))
@@ -101,7 +100,7 @@ void imageChoice(const Session& session, const Pictures& pictures) {
         const auto pattern = static_cast<Pattern>(row.value);
         const std::string rowPath = path + "." + keyOf<&Texture::pattern>();
         choices.push_back({fmt::format("{}={}", rowPath, row.name),
-                           std::string(row.label),
+                           row.label,
                            row.help,
                            workers(session).patterns->find(pattern),
                            texture.source == SourceKind::Pattern && texture.pattern == pattern,

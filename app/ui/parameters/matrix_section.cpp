@@ -60,7 +60,7 @@ void addStepButtons(const Session& session, int perLine) {
     };
     float widest = 0;
     for (const EnumRow& op : matrixOpRows)
-        widest = std::max(widest, buttonWidth(fmt::format("+ {}", tr(op.label)).c_str()));
+        widest = std::max(widest, buttonWidth(Sentence("+ {0}", op.label)));
     while (perLine > 1 && widthFor(perLine) < widest)
         --perLine;
     const float width = widthFor(perLine);
@@ -69,7 +69,8 @@ void addStepButtons(const Session& session, int perLine) {
         const EnumRow& op = matrixOpRows[i];
         if (static_cast<int>(i) % perLine > 0)
             ImGui::SameLine(0, gap);
-        if (ImGui::Button(fmt::format("+ {}###{}", tr(op.label), op.name).c_str(), {width, 0})) {
+        if (ImGui::Button(fmt::format("{}###{}", tr(Sentence("+ {0}", op.label)), op.name).c_str(),
+                          {width, 0})) {
             addStep(session, op);
             ImGui::CloseCurrentPopup(); // if they are in a popup
         }

@@ -1,8 +1,8 @@
-#include "app/ui/language/translate.h"
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/model_choice.h"
 #include "texplorer/scene/params/keys.h"
+#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -49,16 +49,16 @@ void meshRows(const Session& session, const Owner& owner, const MeshData& mesh) 
     paramWidget(session, owner, *findParam(meshTable(), keyOf<&MeshData::primitive>()));
     const std::size_t vertices = mesh.positions.size();
     const std::size_t indices = mesh.indices.size();
-    std::string lists = vertices == 1 ? tr("1 vertex") : tr(Sentence("{0} vertices", vertices));
-    const auto add = [&](bool there, const std::string& what) {
+    std::vector<Sentence> lists{Sentence::plural("{0} vertex", "{0} vertices", vertices)};
+    const auto add = [&](bool there, Sentence what) {
         if (there)
-            lists += ", " + what;
+            lists.push_back(std::move(what));
     };
-    add(!mesh.normals.empty(), tr("normals"));
-    add(!mesh.colors.empty(), tr("colours"));
-    add(!mesh.texCoords.empty(), tr("coordinates"));
-    add(indices > 0, indices == 1 ? tr("1 index") : tr(Sentence("{0} indices", indices)));
-    dimText(lists);
+    add(!mesh.normals.empty(), word("normals"));
+    add(!mesh.colors.empty(), word("colours"));
+    add(!mesh.texCoords.empty(), word("coordinates"));
+    add(indices > 0, Sentence::plural("{0} index", "{0} indices", indices));
+    dimText(Sentence::joined("{0}, {1}", lists));
     helpTip("The Vertices tab edits them one by one. Texture space moves their coordinates.");
 }
 

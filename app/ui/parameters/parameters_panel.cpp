@@ -8,7 +8,7 @@
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/text_field.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
@@ -43,7 +43,7 @@ Section sectionOf(std::string_view path) {
 
 /// A word at the right end of a section's title.
 struct Mark {
-    std::string text;
+    Sentence text;
     ImU32 tint;
 };
 
@@ -60,20 +60,21 @@ void drawMarks(const std::vector<Mark>& marks) {
 
 /// The title of a section, which closes and opens it. A section without effect is initially closed and dim.
 bool section(const Session& session, Section which, const std::vector<Mark>& marks = {},
-             const char* idle = nullptr) {
+             const Sentence& idle = {}) {
     const SectionRow& row = rowOf(which);
     const bool named = session.out.wantedSection == which;
     if (named || (!session.out.wantedParam.empty() && sectionOf(session.out.wantedParam) == which))
         ImGui::SetNextItemOpen(true);
-    ImGui::PushStyleColor(ImGuiCol_Text, idle ? color::dim : color::text);
-    ImGui::PushID(idle ? "idle" : "in use"); // it opens when it has an effect
-    const bool shown = ImGui::CollapsingHeader(label(row.title), idle ? 0 : ImGuiTreeNodeFlags_DefaultOpen);
+    ImGui::PushStyleColor(ImGuiCol_Text, idle.empty() ? color::text : color::dim);
+    ImGui::PushID(idle.empty() ? "in use" : "idle"); // it opens when it has an effect
+    const bool shown =
+        ImGui::CollapsingHeader(label(row.title), idle.empty() ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     ImGui::PopID();
     ImGui::PopStyleColor();
     noteItem(std::string("section:") + row.title);
     if (!marks.empty())
         noteItem(std::string("in use:") + row.title);
-    if (idle)
+    if (!idle.empty())
         helpTip(idle);
     drawMarks(marks);
     if (named)
@@ -89,7 +90,7 @@ std::vector<Mark> generatedMarks(const Unit& unit) {
                                  unit.texGenQ.enabled};
     for (std::size_t i = 0; i < letters.size(); ++i) {
         if (on[i])
-            marks.push_back({letters[i], componentColor(static_cast<int>(i))});
+            marks.push_back({ProperName{letters[i]}, componentColor(static_cast<int>(i))});
     }
     if (unit.emboss.enabled)
         marks.push_back({"Emboss", color::changed});
@@ -100,7 +101,7 @@ std::vector<Mark> matrixMarks(const Unit& unit) {
     const std::size_t steps = unit.matrix.size();
     if (steps == 0)
         return {};
-    return {{countOf(steps, "step"), color::changed}};
+    return {{Sentence::plural("{0} step", "{0} steps", steps), color::changed}};
 }
 
 /// The selected unit and its environment.
@@ -120,8 +121,8 @@ void unitTab(const Session& session, const Pictures& /*pictures*/) {
     if (section(session, Section::Unit))
         unitSection(session);
     const EnvMode mode = selectedUnit(session).envMode;
-    const std::string idle = fmt::format("No effect now: the mode is {}.", rowOf(mode).name);
-    if (section(session, Section::Combine, {}, mode == EnvMode::Combine ? nullptr : idle.c_str()))
+    const Sentence idle("No effect now: the mode is {0}.", ProperName{rowOf(mode).name});
+    if (section(session, Section::Combine, {}, mode == EnvMode::Combine ? Sentence() : idle))
         combineSection(session);
 }
 
@@ -211,8 +212,8 @@ void searchResults(const Session& session, std::string_view words) {
                 if (!std::exchange(titled, true)) {
                     const char* tab = rowOf(rowOf(place.section).tab).label;
                     caption(place.title.empty() || place.title == tab
-                                ? std::string(tab)
-                                : fmt::format("{} · {}", tab, place.title));
+                                ? Sentence(tab)
+                                : Sentence("{0} · {1}", tab, place.title));
                     noteItem(fmt::format("found in:{}", tab));
                 }
                 ++found;

@@ -49,12 +49,12 @@ void setModels(const Session& session, const std::vector<int>& models) {
 
 /// One model of the list: a tick, and, if it is drawn, buttons that draw it earlier or later. Returns whether
 /// the list changed.
-bool modelOfPass(std::vector<int>& named, int index, std::size_t place, const std::string& name) {
+bool modelOfPass(std::vector<int>& named, int index, std::size_t place, const Sentence& name) {
     const float button = ImGui::GetFrameHeight();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     bool draws = place < named.size();
     ImGui::BeginDisabled(draws && named.size() == 1); // disable the pass instead of drawing nothing
-    const bool ticked = ImGui::Checkbox(fmt::format("{}  {}", index, name).c_str(), &draws);
+    const bool ticked = ImGui::Checkbox(tr(Sentence("{0}  {1}", index, name)).c_str(), &draws);
     noteItem(fmt::format("pass models:{}", index));
     ImGui::EndDisabled();
     if (ticked) {
@@ -118,7 +118,7 @@ bool passButton(const Pass& pass, int number, float width, bool isChosen) {
     if (pass.enabled)
         drawDot();
     const char* state = pass.enabled ? "This pass is drawn." : "This pass is not drawn.";
-    helpTip(pass.name.empty() ? state : Sentence("{0}\n{1}", pass.name, state));
+    helpTip(pass.name.empty() ? state : Sentence("{0}\n{1}", ProperName{pass.name}, state));
     return pressed;
 }
 

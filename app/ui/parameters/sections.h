@@ -75,12 +75,12 @@ void switchUnit(const Session& session, int unit, bool on);
 [[nodiscard]] std::vector<Edit> addedTexture(const Session& session, int unit, Pattern pattern);
 
 /// "unit 0, unit 2 of pass 1": units that are on and show the texture of a unit of the selected pass.
-[[nodiscard]] std::string sharersText(const Session& session, int unit);
+[[nodiscard]] Sentence sharersText(const Session& session, int unit);
 
 /// A struct whose rows the parameters show.
 struct ShownStruct {
     Section section;
-    std::string title; ///< "Generated s", if its section has several
+    Sentence title; ///< "Generated s", if its section has several
     Owner owner;
     const StructTable* table;
 };
@@ -101,9 +101,6 @@ struct ShownStruct {
                                                        Target target);
 
 /// The name of the image in lists: "Brick wall", "earth.jpg".
-[[nodiscard]] std::string nameOfImage(const Texture& texture);
-
-/// The same in the window's language; names of files are not translated.
-[[nodiscard]] std::string shownNameOfImage(const Texture& texture);
+[[nodiscard]] Sentence nameOfImage(const Texture& texture);
 
 } // namespace texplorer::ui

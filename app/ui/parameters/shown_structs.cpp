@@ -44,7 +44,7 @@ void addUnitPlaces(Places& places, const Session& session) {
         embossTable());
     for (std::size_t i = 0; i < unit.matrix.size(); ++i)
         places.push_back({Section::Matrix,
-                          fmt::format("Matrix step {}", i + 1),
+                          Sentence("Matrix step {0}", i + 1),
                           {&unit.matrix[i], &initialStep, path + elementOf<&Unit::matrix>(i)},
                           &matrixStepTable()});
 }

@@ -86,13 +86,13 @@ void elementRows(const Session& session, const Element& element, const std::stri
 }
 
 /// "128 × 64", with as many axes as the target has.
-std::string extentsText(const PlannedLevel& level, Target target) {
+Sentence extentsText(const PlannedLevel& level, Target target) {
     std::string text = std::to_string(level.width);
     if (axesOf(target) > 1)
         text += fmt::format(" × {}", level.height);
     if (axesOf(target) > 2)
         text += fmt::format(" × {}", level.depth);
-    return text;
+    return ProperName{text};
 }
 
 /// The size of a level, and the expected size if that differs.
@@ -104,10 +104,9 @@ void levelExtents(const LevelPlan& plan, int number, Target target) {
     }
     const PlannedLevel fit = levelAbove(plan.levels.front(), number);
     const bool fits = *found == fit;
-    plainText(
-        (fits ? extentsText(*found, target)
-              : tr(Sentence("{0} instead of {1}", extentsText(*found, target), extentsText(fit, target)))),
-        fits ? color::dim : color::problem);
+    const Sentence extents = extentsText(*found, target);
+    text(fits ? extents : Sentence("{0} instead of {1}", extents, extentsText(fit, target)),
+         fits ? color::dim : color::problem);
     noteItem(fmt::format("level extents:{}", number));
     if (!fits)
         helpTip("Each level has half the width and height of the level before, rounded down and at least "
@@ -150,7 +149,7 @@ void addLevels(const Session& session, std::size_t index, std::size_t count) {
 /// A dim line above a list without effect, with the reason.
 void idleNote(const Session& session, const std::string& path) {
     if (const Finding* idle = idleReasonOf(session.document.findings, path))
-        dimWrappedText(sentenceOf(*idle));
+        dimWrappedText(shownSentence(idle->sentence));
 }
 
 } // namespace

@@ -15,9 +15,8 @@
 namespace texplorer::ui {
 namespace {
 
-std::string textureName(const Session& session, int index) {
-    return fmt::format("{}  {}", index,
-                       shownNameOfImage(presentScene(session).textures[static_cast<std::size_t>(index)]));
+Sentence textureName(const Session& session, int index) {
+    return {"{0}  {1}", index, nameOfImage(presentScene(session).textures[static_cast<std::size_t>(index)])};
 }
 
 /// The choice of the bound texture. It acts as glBindTexture: the texture is both used by the unit and edited
@@ -26,14 +25,14 @@ void textureChoice(const Session& session) {
     const Unit& unit = selectedUnit(session);
     const ParamRow* row = findParam(unitTable(), keyOf<&Unit::texture>());
     const bool bound = boundTexture(session) != nullptr;
-    const std::string current = bound ? textureName(session, unit.texture) : tr("None");
+    const Sentence current = bound ? textureName(session, unit.texture) : "None";
     const float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x / 2;
     const float width = ImGui::GetContentRegionAvail().x - 2 * button;
     const std::string shown = fitted(current, listRoom(width));
     ImGui::SetNextItemWidth(width);
     if (ImGui::BeginCombo("##bound", shown.c_str())) {
         for (int i = 0; i < static_cast<int>(presentScene(session).textures.size()); ++i) {
-            const std::string name = textureName(session, i);
+            const std::string name = tr(textureName(session, i));
             if (ImGui::Selectable(name.c_str(), i == unit.texture) && i != unit.texture) {
                 const std::string path =
                     fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::texture>());
@@ -46,9 +45,10 @@ void textureChoice(const Session& session) {
         ImGui::EndCombo();
     }
     noteItem("texture choice");
-    const std::string cut = shown != current ? current + "\n" : std::string();
-    if (row)
-        helpTip(Sentence("{0}{1}\n{2}", cut, formatCall(*row, Value(unit.texture)), row->help));
+    if (row) {
+        const Sentence help("{0}\n{1}", ProperName{formatCall(*row, Value(unit.texture))}, row->help);
+        helpTip(shown == tr(current) ? help : Sentence("{0}\n{1}", current, help));
+    }
     const float gap = ImGui::GetStyle().ItemSpacing.x / 2;
     ImGui::SameLine(0, gap);
     if (squareButton("+", "add texture", "Add a texture and bind it to this unit",
@@ -70,17 +70,11 @@ std::shared_ptr<const Image> thumbnailOf(const Session& session, const Texture& 
     return summary && !summary->levels.empty() ? summary->levels.front().second : nullptr;
 }
 
-std::string nameOfImage(const Texture& texture) {
-    if (texture.source == SourceKind::Pattern)
-        return std::string(rowOf(texture.pattern).label);
-    return texture.source == SourceKind::File
-               ? printable(std::filesystem::path(texture.file).filename().string())
-               : std::string(rowOf(texture.source).label); // of the light's view
-}
-
-std::string shownNameOfImage(const Texture& texture) {
-    const std::string name = nameOfImage(texture);
-    return texture.source == SourceKind::File ? name : tr(name);
+Sentence nameOfImage(const Texture& texture) {
+    if (texture.source == SourceKind::File)
+        return ProperName{printable(std::filesystem::path(texture.file).filename().string())};
+    return texture.source == SourceKind::Pattern ? rowOf(texture.pattern).label
+                                                 : rowOf(texture.source).label; // of the light's view
 }
 
 void textureSection(const Session& session, const Pictures& pictures) {

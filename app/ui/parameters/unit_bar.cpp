@@ -50,23 +50,22 @@ void drawThumbnail(const Session& session, const Pictures& pictures, const Unit&
     drawImage(pictures, image, low, high, ImGui::GetColorU32(ImVec4(1, 1, 1, unit.enabled ? 1 : offAlpha)));
 }
 
-std::string unitTip(const Session& session, int number) {
+Sentence unitTip(const Session& session, int number) {
     const Unit& unit = presentScene(session)
                            .passes[static_cast<std::size_t>(session.look.selection.pass)]
                            .units[static_cast<std::size_t>(number)];
-    const std::string sharers = sharersText(session, number);
+    const Sentence sharers = sharersText(session, number);
     if (!textureOf(presentScene(session), unit))
-        return fmt::format("Texture unit {} has no texture and gets one when switched on.", number);
+        return {"Texture unit {0} has no texture and gets one when switched on.", number};
     if (!sharers.empty() && unit == Unit{})
-        return fmt::format("Texture unit {} is off and gets its own texture when switched on.", number);
+        return {"Texture unit {0} is off and gets its own texture when switched on.", number};
     if (!sharers.empty() && unit.enabled)
-        return fmt::format("Texture unit {} is on and shares texture {} with {}.", number, unit.texture,
-                           sharers);
+        return {"Texture unit {0} is on and shares texture {1} with {2}.", number, unit.texture, sharers};
     if (!sharers.empty())
-        return fmt::format("Texture unit {} is off. When on, it shares texture {} with {}.", number,
-                           unit.texture, sharers);
-    return unit.enabled ? fmt::format("Texture unit {} is on and has texture {}.", number, unit.texture)
-                        : fmt::format("Texture unit {} is off; it has texture {}.", number, unit.texture);
+        return {"Texture unit {0} is off. When on, it shares texture {1} with {2}.", number, unit.texture,
+                sharers};
+    return unit.enabled ? Sentence("Texture unit {0} is on and has texture {1}.", number, unit.texture)
+                        : Sentence("Texture unit {0} is off; it has texture {1}.", number, unit.texture);
 }
 
 void drawUnit(const Session& session, const Pictures& pictures, int number, float width, float height) {
@@ -111,7 +110,7 @@ void drawUnit(const Session& session, const Pictures& pictures, int number, floa
 
 /// What an edit of the texture affects, with a button to give the unit its own.
 void reachLine(const Session& session) {
-    const std::string sharers = sharersText(session, session.look.selection.unit);
+    const Sentence sharers = sharersText(session, session.look.selection.unit);
     const Unit& unit = selectedUnit(session);
     if (sharers.empty() || unit == Unit{}) // a unit that was never enabled gets its own
         return;
@@ -169,22 +168,21 @@ std::vector<Edit> addedTexture(const Session& session, int unit, Pattern pattern
         edit::Set{fmt::format("{}.{}", unitPath(selection), keyOf<&Unit::texture>()), std::to_string(added)}};
 }
 
-std::string sharersText(const Session& session, int unit) {
+Sentence sharersText(const Session& session, int unit) {
     const Scene& scene = presentScene(session);
     const auto selected = static_cast<std::size_t>(session.look.selection.pass);
     const auto asked = static_cast<std::size_t>(unit);
     const int texture = scene.passes[selected].units[asked].texture;
-    std::string names;
+    std::vector<Sentence> names;
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {
         for (std::size_t u = 0; u < maxUnits; ++u) {
             const Unit& other = scene.passes[p].units[u];
             if (!other.enabled || other.texture != texture || (p == selected && u == asked))
                 continue;
-            names += names.empty() ? "" : ", ";
-            names += tr(p == selected ? Sentence("unit {0}", u) : Sentence("unit {0} of pass {1}", u, p));
+            names.push_back(p == selected ? Sentence("unit {0}", u) : Sentence("unit {0} of pass {1}", u, p));
         }
     }
-    return textureOf(scene, scene.passes[selected].units[asked]) ? names : "";
+    return textureOf(scene, scene.passes[selected].units[asked]) ? Sentence::joined("{0}, {1}", names) : "";
 }
 
 void unitBar(const Session& session, const Pictures& pictures) {

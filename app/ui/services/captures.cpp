@@ -1,13 +1,10 @@
 #include "app/ui/services/captures.h"
 
 #include "app/ui/services/free_name.h"
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/codec/png/png.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/files/user_folder.h"
 #include "texplorer/image/convert.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -22,7 +19,7 @@ constexpr FailureWords captureFailure{"not enough memory for the picture", "the 
 constexpr std::size_t maxUserDirsBytes = 64U << 10;
 
 Captures::News captureProblem(const Error& error) {
-    return {fmt::format("The picture can't be written: {}.", describe(error)), false};
+    return {Sentence("The picture can't be written: {0}.", describe(error)), false};
 }
 
 } // namespace
@@ -73,7 +70,7 @@ Captures::Captures(fs::path folder, When when, std::function<void()> wake)
               if (!bytes)
                   return captureProblem(bytes.error());
               const Result<fs::path> written = writeFreely(folder_ / (task.job().name + ".png"), *bytes);
-              return written ? News{fmt::format("Written: {}", written->string()), true}
+              return written ? News{Sentence("Written: {0}", ProperName{written->string()}), true}
                              : captureProblem(written.error());
           },
           [](const Job& /*job*/, const Error& error) { return captureProblem(error); }) {}

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/base/worker.h"
 #include "texplorer/image/image.h"
 
@@ -35,7 +36,7 @@ public:
 
     /// A sentence for the user.
     struct News {
-        std::string text;
+        Sentence text;
         bool isWritten = false; ///< else it says why not
     };
 

@@ -3,10 +3,7 @@
 #include "app/ui/services/free_name.h"
 #include "texplorer/base/background_thread.h"
 #include "texplorer/base/parallel.h"
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/text/printable.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +17,7 @@ constexpr FailureWords fileFailure{"not enough memory for it", "it can't be crea
 constexpr const char* meanwhile = "Another program has written the other file meanwhile.";
 
 FileNews unwritten(const FileOrder& order, const Error& error) {
-    return {fmt::format(fmt::runtime(order.failure), describe(error)), false};
+    return {Sentence(order.failure, describe(error)), false};
 }
 
 } // namespace
@@ -65,11 +62,12 @@ std::optional<FileNews> FileWriting::work(const Writing::Task& task) {
     if (!written)
         return unwritten(order, written.error());
     if (*written != order.file)
-        made->remark = made->remark.empty() ? meanwhile : fmt::format("{} {}", meanwhile, made->remark);
-    const std::string file = printable(written->string());
+        made->remark = made->remark.empty() ? meanwhile : Sentence("{0} {1}", meanwhile, made->remark);
+    const std::string name = printable(written->string());
+    const ProperName file{name};
     if (made->remark.empty())
-        return FileNews{fmt::format("Written: {}", file), true};
-    return FileNews{fmt::format("Written: {}. {}", file, made->remark), false};
+        return FileNews{Sentence("Written: {0}", file), true};
+    return FileNews{Sentence("Written: {0}. {1}", file, made->remark), false};
 }
 
 void FileWriting::write(FileOrder order) {
@@ -80,8 +78,9 @@ void FileWriting::write(FileOrder order) {
 Result<void> FileWriting::writeAs(FileOrder order, std::string_view extension,
                                   const std::optional<FileFingerprint>& replaces) {
     if (order.file.extension() != extension)
-        return fail(ErrorCode::Unsupported, Sentence("expected a name that ends with {0}, found \"{1}\"",
-                                                     extension, order.file.filename().string()));
+        return fail(ErrorCode::Unsupported,
+                    Sentence("expected a name that ends with {0}, found \"{1}\"", ProperName{extension},
+                             ProperName{order.file.filename().string()}));
     order.replaces = replaces;
     write(std::move(order));
     return {};

@@ -2,6 +2,7 @@
 
 #include "texplorer/base/bytes.h"
 #include "texplorer/base/result.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/base/worker.h"
 #include "texplorer/files/file_fingerprint.h"
 #include "texplorer/texture/texture_levels.h"
@@ -11,7 +12,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace texplorer::ui {
@@ -25,14 +25,14 @@ struct FileMaking {
 
 struct MadeFile {
     Bytes bytes;
-    std::string remark{}; ///< a sentence about differences from the request; empty: none
+    Sentence remark{}; ///< a sentence about differences from the request; empty: none
 };
 
 /// A file that is to be written.
 struct FileOrder {
-    std::filesystem::path file; ///< is written completely or stays unchanged
-    std::string_view failure;   ///< "The sheet can't be written: {}."
-    std::size_t pictures = 0;   ///< pictures to draw; 0: the file has no pictures
+    std::filesystem::path file;      ///< is written completely or stays unchanged
+    Sentence::Key<Sentence> failure; ///< "The sheet can't be written: {0}."
+    std::size_t pictures = 0;        ///< pictures to draw; 0: the file has no pictures
     /// Runs on the working thread. Errors become a sentence with `failure`, except Cancelled.
     std::function<Result<MadeFile>(const FileMaking&)> make;
     /// The file that the user has agreed to replace. If another file is there by then, it stays, and this
@@ -51,7 +51,7 @@ struct FileProgress {
 
 /// A sentence for the user.
 struct FileNews {
-    std::string text;
+    Sentence text;
     bool isGood = false; ///< written completely as requested
 };
 

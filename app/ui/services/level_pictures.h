@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/base/worker.h"
 #include "texplorer/image/image.h"
 #include "texplorer/reference/sampling/level_picture.h"
@@ -8,7 +9,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string>
 
 namespace texplorer::ui {
 
@@ -53,7 +53,7 @@ public:
         std::shared_ptr<const Image> texels{};  ///< Rgba8; nullptr: see `problem`
         std::shared_ptr<const Image> picture{}; ///< the texels with the look applied
         std::optional<reference::TexelStatistics> statistics{};
-        std::string problem{}; ///< a sentence without its full stop
+        Sentence problem{}; ///< a sentence without its full stop
     };
     /// The newest answer: for this request, or for an earlier one until it is ready; nullptr: none yet.
     /// Levels are taken from `source` and returned to it.

@@ -1,7 +1,6 @@
 #include "app/ui/services/settings_file.h"
 
 #include "app/ui/services/settings_json.h"
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/files/folder_lock.h"
 #include "texplorer/files/user_folder.h"
@@ -23,44 +22,45 @@ fs::path placeIn(const fs::path& folder, const char* name) {
     return folder.empty() ? folder : folder / "texplorer" / name;
 }
 
-std::string cannotBeSaved(const Error& error) {
-    return fmt::format("Settings can't be saved: {}.", describe(error));
+Sentence cannotBeSaved(const Error& error) {
+    return Sentence("Settings can't be saved: {0}.", describe(error));
 }
 
-std::string cannotBeRead(const Error& error) {
-    return fmt::format("Settings can't be read: {}.", describe(error));
+Sentence cannotBeRead(const Error& error) {
+    return Sentence("Settings can't be read: {0}.", describe(error));
 }
 
 /// Adds a sentence.
-void addTo(std::string& problem, const std::string& sentence) {
-    problem += problem.empty() || sentence.empty() ? sentence : " " + sentence;
+void addTo(Sentence& problem, const Sentence& sentence) {
+    if (!sentence.empty())
+        problem = problem.empty() ? sentence : Sentence("{0} {1}", problem, sentence);
 }
 
 /// Renames an existing file that cannot be parsed, so that it is not overwritten, without overwriting an
 /// earlier renamed one.
-std::string setAside(const fs::path& file, const Error& error) {
+Sentence setAside(const fs::path& file, const Error& error) {
     std::error_code failed;
     fs::path broken = file;
     broken += ".broken";
     for (int number = 2; fs::exists(fs::symlink_status(broken, failed)); ++number)
         broken = fmt::format("{}.broken-{}", file.string(), number);
     fs::rename(file, broken, failed);
-    return failed ? fmt::format("{} can't be read ({}).", file.string(), describe(error))
-                  : fmt::format("{} can't be read ({}). It was renamed to {}.", file.string(),
-                                describe(error), broken.filename().string());
+    return failed ? Sentence("{0} can't be read ({1}).", ProperName{file.string()}, describe(error))
+                  : Sentence("{0} can't be read ({1}). It was renamed to {2}.", ProperName{file.string()},
+                             describe(error), ProperName{broken.filename().string()});
 }
 
-std::string leftOutText(const fs::path& file, const std::vector<std::string>& leftOut) {
+Sentence leftOutText(const fs::path& file, const std::vector<std::string>& leftOut) {
     if (leftOut.empty())
         return {};
-    return fmt::format("{} has unknown values, which are ignored: {}.", file.string(),
-                       fmt::join(leftOut, ", "));
+    return Sentence("{0} has unknown values, which are ignored: {1}.", ProperName{file.string()},
+                    ProperName{fmt::format("{}", fmt::join(leftOut, ", "))});
 }
 
 /// Empty if there is no file, or if it cannot be parsed and was renamed: then `problem` says so. Errors:
 /// those of readText; the file is left as it is.
 template<class Parse>
-Result<std::string> readWhole(const fs::path& file, const Parse& parse, std::string& problem) {
+Result<std::string> readWhole(const fs::path& file, const Parse& parse, Sentence& problem) {
     std::error_code ignored;
     if (file.empty() || !fs::exists(file, ignored))
         return {};
@@ -92,12 +92,12 @@ auto recentInto(std::vector<fs::path>& files) {
 
 /// Reads one of the files again and writes it if it changes. Returns an error message, or an empty text.
 template<class Parse, class Merge>
-std::string mergeInto(const fs::path& file, const Parse& parse, const Merge& merge) {
+Sentence mergeInto(const fs::path& file, const Parse& parse, const Merge& merge) {
     std::error_code ignored; // reported by writing
     fs::create_directories(file.parent_path(), ignored);
     const FolderLock lock(
         file.parent_path()); // otherwise a simultaneous change of another window could be lost
-    std::string problem;
+    Sentence problem;
     const Result<std::string> there = readWhole(file, parse, problem);
     if (!there)
         return cannotBeSaved(there.error());
@@ -108,8 +108,8 @@ std::string mergeInto(const fs::path& file, const Parse& parse, const Merge& mer
     return written ? problem : cannotBeSaved(written.error());
 }
 
-std::string writeChanges(const SettingsPlaces& places, const Settings& before, const Settings& now) {
-    std::string problem;
+Sentence writeChanges(const SettingsPlaces& places, const Settings& before, const Settings& now) {
+    Sentence problem;
     Settings found;
     std::vector<std::string> ignored; // they stay in the file
     if (writeSettings(before) != writeSettings(now))
@@ -164,7 +164,7 @@ SettingsFile::~SettingsFile() {
 }
 
 Settings SettingsFile::read() {
-    std::string problem;
+    Sentence problem;
     std::vector<std::string> leftOut;
     const Result<std::string> settings = readWhole(places_.settings, settingsInto(told_, leftOut), problem);
     addTo(problem, settings ? leftOutText(places_.settings, leftOut) : cannotBeRead(settings.error()));
@@ -208,7 +208,7 @@ void SettingsFile::write() {
     writing_.ask({places_, std::exchange(written_, told_), told_});
 }
 
-std::optional<std::string> SettingsFile::takeProblem() {
+std::optional<Sentence> SettingsFile::takeProblem() {
     learn();
     return std::exchange(problem_, std::nullopt);
 }

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <string>
 
 namespace texplorer::ui {
 
@@ -52,7 +51,7 @@ public:
     [[nodiscard]] std::optional<double> due() const { return due_; }
 
     /// A message for the user, once.
-    [[nodiscard]] std::optional<std::string> takeProblem();
+    [[nodiscard]] std::optional<Sentence> takeProblem();
 
 private:
     /// The changes since the last write.
@@ -63,7 +62,7 @@ private:
     };
     struct Answer {
         Settings before;
-        std::string problem; ///< empty: written
+        Sentence problem; ///< empty: written
     };
     using Writing = Worker<Job, Answer>;
     void learn();
@@ -75,7 +74,7 @@ private:
     Settings told_;
     Settings written_; ///< what was read or last written
     std::optional<double> due_;
-    std::optional<std::string> problem_;
+    std::optional<Sentence> problem_;
     Writing writing_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/base/worker.h"
 #include "texplorer/reference/draw.h"
 #include "texplorer/scene/params/sweep_axis.h"
@@ -8,7 +9,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace texplorer::ui {
@@ -34,7 +34,7 @@ public:
     };
     struct Cell {
         std::shared_ptr<const Image> image{}; ///< bottom row first; nullptr: not ready, or see `problem`
-        std::string problem{};                ///< a sentence without its full stop
+        Sentence problem{};                   ///< a sentence without its full stop
         std::uint64_t question = 0;           ///< the question that it answers, counted from 1
     };
     /// Row by row. A cell may be the answer to an earlier question about the same cells.

@@ -38,23 +38,6 @@ std::string fileNameOf(const Document& document, std::string_view end) {
     return (name.empty() ? "scene" : name) + std::string(end);
 }
 
-Names namesIn(const Document& document) {
-    Names names;
-    for (const Model& model : document.scene.models) {
-        if (!model.name.empty())
-            names.insert(model.name);
-    }
-    for (const std::string& file : filesOf(document.scene)) {
-        names.insert(file);
-        names.insert(std::filesystem::path(file).filename().string());
-    }
-    if (!document.file.empty()) {
-        names.insert(document.file.string());
-        names.insert(document.file.filename().string());
-    }
-    return names;
-}
-
 std::string windowTitle(const Document& document) {
     const std::filesystem::path& file = document.file.empty() ? document.suggested : document.file;
     const std::string name = file.empty() ? tr("Untitled") : file.filename().string();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "app/ui/language/catalogue.h"
 #include "app/ui/state/history.h"
 #include "app/ui/state/load.h"
 #include "app/ui/state/selection.h"
@@ -92,9 +91,6 @@ struct Document {
 [[nodiscard]] std::string nameOf(const Document& document);
 /// The name of another file about it: "earth-sheet.png", "scene-sheet.png" without a file.
 [[nodiscard]] std::string fileNameOf(const Document& document, std::string_view end);
-
-/// The names of its files and models, which are not translated.
-[[nodiscard]] Names namesIn(const Document& document);
 
 /// "earth.json • Texplorer": the bullet marks unsaved changes.
 [[nodiscard]] std::string windowTitle(const Document& document);

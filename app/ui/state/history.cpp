@@ -33,7 +33,7 @@ History::History(Scene initial, std::size_t limit, std::size_t maxBytes)
     steps_.push_back({std::move(initial), {}});
 }
 
-void History::record(const Scene& scene, std::string_view what, std::optional<Reselection> reselects) {
+void History::record(const Scene& scene, Sentence what, std::optional<Reselection> reselects) {
     if (scene == current())
         return;
     const auto behind = steps_.begin() + static_cast<std::ptrdiff_t>(position_) + 1;
@@ -49,7 +49,7 @@ void History::record(const Scene& scene, std::string_view what, std::optional<Re
             step.reselects = std::move(reselects);
         return forgetOldest();
     }
-    steps_.push_back({scene, std::string(what), std::move(reselects)});
+    steps_.push_back({scene, std::move(what), std::move(reselects)});
     forgetOldest();
     redone_ = std::move(redone);
     sealed_ = false;
@@ -107,12 +107,12 @@ void History::goTo(std::size_t step, Selection& selection) {
     seal();
 }
 
-std::string_view History::undoName() const {
-    return canUndo() ? std::string_view(steps_[position_].what) : std::string_view();
+Sentence History::undoName() const {
+    return canUndo() ? steps_[position_].what : Sentence();
 }
 
-std::string_view History::redoName() const {
-    return canRedo() ? std::string_view(steps_[position_ + 1].what) : std::string_view();
+Sentence History::redoName() const {
+    return canRedo() ? steps_[position_ + 1].what : Sentence();
 }
 
 } // namespace texplorer::ui

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "app/ui/state/selection.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/image/image.h"
 #include "texplorer/scene/scene.h"
 
 #include <memory>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,7 +26,7 @@ public:
     explicit History(Scene initial, std::size_t limit = 200, std::size_t maxBytes = std::size_t{512} << 20);
 
     [[nodiscard]] const Scene& current() const { return steps_[position_].scene; }
-    void record(const Scene& scene, std::string_view what, std::optional<Reselection> reselects = {});
+    void record(const Scene& scene, Sentence what, std::optional<Reselection> reselects = {});
     void seal();
     /// Discards the last edit if it is not sealed: it leaves no step, and redo is as before it.
     void takeBack(Selection& selection);
@@ -42,14 +41,14 @@ public:
     void undo(Selection& selection) { goTo(canUndo() ? position_ - 1 : position_, selection); }
     void redo(Selection& selection) { goTo(position_ + 1, selection); }
 
-    [[nodiscard]] std::string_view undoName() const; ///< the name of the step that undo reverts; empty: none
-    [[nodiscard]] std::string_view redoName() const;
+    [[nodiscard]] Sentence undoName() const; ///< the name of the step that undo reverts; empty: none
+    [[nodiscard]] Sentence redoName() const;
 
     // The steps as a list, oldest first. The first has no name: it is the beginning, or the oldest that is
     // kept.
     [[nodiscard]] std::size_t size() const { return steps_.size(); }
     [[nodiscard]] std::size_t position() const { return position_; } ///< of `current`
-    [[nodiscard]] const std::string& nameOf(std::size_t step) const { return steps_[step].what; }
+    [[nodiscard]] const Sentence& nameOf(std::size_t step) const { return steps_[step].what; }
     [[nodiscard]] const Scene& sceneOf(std::size_t step) const { return steps_[step].scene; }
     void goTo(std::size_t step, Selection& selection); ///< undoes or redoes up to that step
 
@@ -62,7 +61,7 @@ public:
 private:
     struct Step {
         Scene scene;
-        std::string what; ///< the edit that led to this step
+        Sentence what; ///< the edit that led to this step
         std::optional<Reselection> reselects{};
         std::shared_ptr<const Image> picture{};
     };

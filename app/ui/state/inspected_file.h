@@ -1,6 +1,7 @@
 #pragma once
 
 #include "texplorer/base/bytes.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/texture/image_loader.h"
 
 #include <cstddef>
@@ -8,7 +9,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <string>
 
 namespace texplorer::ui {
 
@@ -33,7 +33,7 @@ struct InspectedFile {
     ImageLoader::Ticket ticket = 0;        ///< of the pending request; 0: none
     std::shared_ptr<const DissectedFile> content;
     FieldMap map;
-    std::string problem; ///< why the file cannot be read; empty: no problem
+    Sentence problem; ///< why the file cannot be read; empty: no problem
 };
 
 } // namespace texplorer::ui

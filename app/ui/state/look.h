@@ -75,7 +75,7 @@ struct LevelView {
 /// recorded, diagnosed or saved.
 struct Preview {
     std::string choice{};                 ///< identifies it: "textures[0].wrapS=GL_CLAMP"
-    std::string text{};                   ///< the text in the view: "Wrap s: Clamp (legacy)"
+    Sentence text{};                      ///< the text in the view: "Wrap s: Clamp (legacy)"
     std::shared_ptr<const Scene> scene{}; ///< nullptr: not shown, see restPreview
     Scene madeOf{};                       ///< the document's scene without the edit
     bool wanted = false;                  ///< requested in this frame

@@ -1,7 +1,5 @@
 #include "app/ui/state/view_settings.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -56,7 +54,7 @@ void showComparison(ViewSettings& settings, const std::vector<RendererKind>& ren
     showComparison(settings);
 }
 
-std::string offerRenderers(ViewSettings& settings, const view::OfferedRenderers& offered) {
+Sentence offerRenderers(ViewSettings& settings, const view::OfferedRenderers& offered) {
     if (settings.offered == offered)
         return {};
     const std::vector<RendererKind> before = shownRenderers(settings);
@@ -75,7 +73,7 @@ std::string offerRenderers(ViewSettings& settings, const view::OfferedRenderers&
     const auto missing = std::ranges::find_if(before, [&](RendererKind kind) { return !offered.has(kind); });
     if (missing == before.end())
         return {};
-    return fmt::format("{} is not available: {}", rowOf(*missing).label, offered.whyNot(*missing));
+    return Sentence("{0} is not available: {1}", rowOf(*missing).label, offered.whyNot(*missing));
 }
 
 } // namespace texplorer::ui

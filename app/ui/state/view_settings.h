@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/view/offered_renderers.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/reference/false_colors.h"
 #include "texplorer/reference/sampling/lod.h"
 #include "texplorer/scene/renderer.h"
@@ -8,7 +9,6 @@
 #include <glm/vec2.hpp>
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace texplorer::ui {
@@ -97,6 +97,6 @@ void showComparison(ViewSettings& settings, const std::vector<RendererKind>& ren
 
 /// Sets the renderers of the host. Shown renderers that are missing are replaced; returns a sentence if the
 /// picture changes.
-[[nodiscard]] std::string offerRenderers(ViewSettings& settings, const view::OfferedRenderers& offered);
+[[nodiscard]] Sentence offerRenderers(ViewSettings& settings, const view::OfferedRenderers& offered);
 
 } // namespace texplorer::ui

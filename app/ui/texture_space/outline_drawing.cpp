@@ -5,7 +5,6 @@
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
 
-#include <fmt/core.h>
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -154,17 +153,22 @@ std::size_t edgeCount(const Mesh& mesh) {
 }
 
 /// "2   (1.00, 0.50)", and its end point.
-std::string vertexText(const PlaneCoords& coords, std::size_t vertex) {
+Sentence vertexText(const PlaneCoords& coords, std::size_t vertex) {
     const glm::vec4 given = coords.given()[vertex];
     const glm::vec2 end = coords.resultingPlaces()[vertex];
     if (!coords.differ() && given.q == 1)
-        return fmt::format("{}   ({:.2f}, {:.2f})", vertex, given.s, given.t);
+        return {"{0}   ({1:.2f}, {2:.2f})", vertex, given.s, given.t};
     if (!isPlace(end))
-        return fmt::format("{}   ({:.2f}, {:.2f}) → nowhere: q is 0", vertex, given.s, given.t);
+        return {"{0}   ({1:.2f}, {2:.2f}) → nowhere: q is 0", vertex, given.s, given.t};
     if (given.q != 1)
-        return fmt::format("{}   ({:.2f}, {:.2f}, q {:.2f}) → ({:.2f}, {:.2f})", vertex, given.s, given.t,
-                           given.q, end.x, end.y);
-    return fmt::format("{}   ({:.2f}, {:.2f}) → ({:.2f}, {:.2f})", vertex, given.s, given.t, end.x, end.y);
+        return {"{0}   ({1:.2f}, {2:.2f}, q {3:.2f}) → ({4:.2f}, {5:.2f})",
+                vertex,
+                given.s,
+                given.t,
+                given.q,
+                end.x,
+                end.y};
+    return {"{0}   ({1:.2f}, {2:.2f}) → ({3:.2f}, {4:.2f})", vertex, given.s, given.t, end.x, end.y};
 }
 
 /// Vertices at one place.
@@ -330,7 +334,7 @@ void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& 
         const ImVec2 at = canvas.toPixel(place);
         if (!canvas.holds(at))
             continue;
-        const std::string english = vertexText(coords, vertex);
+        const Sentence english = vertexText(coords, vertex);
         const std::string words = tr(english);
         const ImVec2 size = ImGui::CalcTextSize(words.c_str());
         // Next to the vertex, inside of the panel: above it, or else below.
@@ -349,7 +353,7 @@ void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& 
             continue;
         taken.push_back(*found);
         drawTextChip(draw, *found, em, color::chosen, words);
-        noteDrawn("coord label:" + english, found->low, found->high);
+        noteDrawn("coord label:" + english.english(), found->low, found->high);
     }
     const float size = em * 0.85F;
     const ImVec2 centre = canvas.toPixel(canvas.plane.s, canvas.plane.t);

@@ -8,8 +8,6 @@
 #include "app/ui/widgets/wrapped_text.h"
 #include "texplorer/image/cube_faces.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 namespace texplorer::ui {
@@ -27,31 +25,35 @@ float legendPad() {
 
 /// The texture's size in OpenGL, which may differ from the image's: "64 × 64", "64 × 1", "32 × 32 × 32", "6
 /// faces of 128 × 128". Empty: not known yet.
-std::string extentsOf(const Session& session) {
+Sentence extentsOf(const Session& session) {
     const std::optional<glm::ivec3> texels = extentOfBound(session);
     if (!texels)
         return {};
-    const std::string extents = fmt::format("{} × {}", texels->x, texels->y);
+    const Sentence extents("{0} × {1}", texels->x, texels->y);
     const Target target = selectedUnit(session).target;
     if (target == Target::CubeMap)
-        return fmt::format("{} faces of {}", cubeFaceCount, extents);
-    return target == Target::Texture3D ? fmt::format("{} × {}", extents, texels->z) : extents;
+        return {"{0} faces of {1}", cubeFaceCount, extents};
+    return target == Target::Texture3D ? Sentence("{0} × {1}", extents, texels->z) : extents;
 }
 
 /// The shown part of the texels, unless it is the whole base level.
-std::string lookText(const PlaneLook& look) {
-    const std::string channel = tr(channelRows[static_cast<std::size_t>(look.channel)].label);
+Sentence lookText(const PlaneLook& look) {
+    const char* channel = channelRows[static_cast<std::size_t>(look.channel)].label;
     if (look.exposure != 0 || look.low != 0 || look.high != 1)
-        return fmt::format("level {} · {} · × 2^{:.1f}, {:.2f} to {:.2f}", look.level, channel, look.exposure,
-                           look.low, look.high);
-    return fmt::format("level {} · {}", look.level, channel);
+        return {"level {0} · {1} · × 2^{2:.1f}, {3:.2f} to {4:.2f}",
+                look.level,
+                channel,
+                look.exposure,
+                look.low,
+                look.high};
+    return {"level {0} · {1}", look.level, channel};
 }
 
 void nameWhatIsShown(const Session& session, const TextureSpaceState& state, PlaneLegend& legend) {
     std::vector<Line>& lines = legend.lines;
     const int unit = session.look.selection.unit;
-    lines.push_back({legend.extents.empty() ? fmt::format("unit {}", unit)
-                                            : fmt::format("unit {} · {}", unit, legend.extents)});
+    lines.push_back({legend.extents.empty() ? Sentence("unit {0}", unit)
+                                            : Sentence("unit {0} · {1}", unit, legend.extents)});
     if (!state.look.isPlain())
         lines.push_back({lookText(state.look)});
     if (state.coords.differ()) {
@@ -65,7 +67,7 @@ void nameWhatIsShown(const Session& session, const TextureSpaceState& state, Pla
 PlaneLegend legendOf(const Session& session, const TextureSpaceState& state, ImVec2 corner, float room) {
     const auto image = boundImage(session);
     PlaneLegend legend;
-    legend.extents = image ? extentsOf(session) : std::string("no texture");
+    legend.extents = image ? extentsOf(session) : "no texture";
     if (state.legend)
         nameWhatIsShown(session, state, legend);
     if (state.level.isComputing())
@@ -91,7 +93,7 @@ PlaneLegend legendOf(const Session& session, const TextureSpaceState& state, ImV
 
 void drawPlaneLegend(ImDrawList& draw, const PlaneLegend& legend) {
     const Box& box = legend.box;
-    noteDrawn("texture size:" + legend.extents, box.low, box.high);
+    noteDrawn("texture size:" + legend.extents.english(), box.low, box.high);
     if (legend.lines.empty())
         return;
     const float em = ImGui::GetFontSize();
@@ -110,7 +112,7 @@ void drawPlaneLegend(ImDrawList& draw, const PlaneLegend& legend) {
                 draw.AddCircle(middle, em * 0.2F, ink, 12);
         }
         draw.AddText({at.x + strokeRoom(line), at.y}, color::text, line.shown.c_str());
-        noteDrawn("legend:" + line.text, at, at + ImVec2(line.width, height));
+        noteDrawn("legend:" + line.text.english(), at, at + ImVec2(line.width, height));
         at = legend.inOneRow ? ImVec2(at.x + line.width + em, at.y) : ImVec2(at.x, at.y + height);
     }
 }
@@ -123,18 +125,18 @@ void drawMoveHint(ImDrawList& draw, const Canvas& canvas, const VertexMove& move
         text(Sentence("It can't be moved here: {0}.", move.refusal));
         ImGui::PopTextWrapPos();
         ImGui::EndTooltip();
-        noteDrawn("refusal:" + move.refusal, canvas.low, canvas.high);
+        noteDrawn("refusal:" + move.refusal.english(), canvas.low, canvas.high);
     }
     if (!move.byKey)
         return;
-    const std::string words = fmt::format(fmt::runtime(rowOf(move.kind).hint), move.vertices.size());
+    const Sentence words(rowOf(move.kind).hint, move.vertices.size());
     const std::string shown = fitted(words, canvas.high.x - canvas.low.x - em * 1.5F);
     const ImVec2 at(canvas.low.x + em * 0.7F, canvas.high.y - em * 1.7F);
     const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
     const ImVec2 pad(em * 0.3F, em * 0.1F);
     draw.AddRectFilled(at - pad, at + size + pad, color::shade, em * 0.25F);
     draw.AddText(at, color::chosen, shown.c_str());
-    noteDrawn("move hint:" + words, at, at + size);
+    noteDrawn("move hint:" + words.english(), at, at + size);
 }
 
 } // namespace texplorer::ui

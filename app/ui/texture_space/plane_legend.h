@@ -2,6 +2,7 @@
 
 #include "app/ui/texture_space/plane_drawing.h"
 #include "app/ui/texture_space/texture_space_state.h"
+#include "texplorer/base/sentence.h"
 
 #include <string>
 #include <vector>
@@ -12,7 +13,7 @@ namespace texplorer::ui {
 struct PlaneLegend {
     /// A line of the legend, with a sample of the stroke that it names.
     struct Line {
-        std::string text;
+        Sentence text;
         enum class Stroke : std::uint8_t { None, Faint, Strong } stroke = Stroke::None;
         std::string shown{}; ///< the part of the text that fits, in the window's language
         float width = 0;     ///< with the sample
@@ -20,7 +21,7 @@ struct PlaneLegend {
     std::vector<Line> lines;
     bool inOneRow = false; ///< in one row, not one above the other
     Box box{};
-    std::string extents; ///< of the texture: "64 × 1", "6 faces of 32 × 32", "no texture"; empty: unknown
+    Sentence extents; ///< of the texture: "64 × 1", "6 faces of 32 × 32", "no texture"; empty: unknown
 };
 
 /// The entries in one row if it is not wider than `room`, else one above the other.

@@ -26,8 +26,8 @@ void LevelPicture::follow(const Session& session, const PlaneLook& look, bool ne
     });
 }
 
-const std::string& LevelPicture::problem() const {
-    static const std::string none;
+const Sentence& LevelPicture::problem() const {
+    static const Sentence none;
     return answer_ && !computing_ ? answer_->problem : none;
 }
 

@@ -59,7 +59,7 @@ public:
         return answer_ && answer_->statistics ? &*answer_->statistics : nullptr;
     }
     /// Why there is no picture, as a sentence without its full stop; empty: there is one, or it is pending.
-    [[nodiscard]] const std::string& problem() const;
+    [[nodiscard]] const Sentence& problem() const;
     /// Whether the shown picture is not the requested one yet.
     [[nodiscard]] bool isComputing() const { return computing_; }
 

@@ -275,7 +275,7 @@ void vertexMenu(const Session& session, TextureSpaceState& state) {
         const std::string help(row.help);
         if (toolButton(std::string(row.label).c_str(), fmt::format("project:{}", row.label), help.c_str(),
                        false))
-            submitTexCoords(session, fmt::format("{} projection", row.label),
+            submitTexCoords(session, Sentence("{0} projection", row.label),
                             projectedTexCoords(selectedMesh(session), static_cast<CoordProjection>(row.value),
                                                editedVertices(session), state.coords.given()));
     }
@@ -313,20 +313,20 @@ void copyCoords(const Session& session, const PlaneCoords& coords) {
 }
 
 void pasteCoords(const Session& session, const PlaneCoords& coords) {
-    const auto refuse = [&session](const std::string& why) {
+    const auto refuse = [&session](const Sentence& why) {
         act(session, [why](Session& told) { say(told, why); });
     };
     const char* text = ImGui::GetClipboardText();
     const Result<TexCoords> pasted = parseCoordText(text ? text : "");
     if (!pasted)
-        return refuse(fmt::format("The clipboard has no texture coordinates: {}.", pasted.error().message));
+        return refuse({"The clipboard has no texture coordinates: {0}.", pasted.error().message});
     TexCoords list = coords.given();
     if (list.empty())
         return refuse("Directions can't be shown in this plane, so nothing can be pasted.");
     const std::vector<std::size_t> edited = editedVertices(session);
     if (pasted->size() != edited.size() && pasted->size() != list.size())
-        return refuse(fmt::format("Expected coordinates of {} vertices, but the clipboard has {}.",
-                                  edited.size(), pasted->size()));
+        return refuse({"Expected coordinates of {0} vertices, but the clipboard has {1}.", edited.size(),
+                       pasted->size()});
     if (pasted->size() == edited.size()) {
         for (std::size_t i = 0; i < edited.size(); ++i)
             list[edited[i]] = (*pasted)[i];

@@ -4,8 +4,6 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/points.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -126,20 +124,20 @@ std::vector<Uncovered> keptInSight(const reference::UnitExplanation& unit, const
 }
 
 /// The texts of a title, the most important first.
-std::string titleOf(const reference::UnitExplanation& unit, const LevelPatch& patch, bool whole) {
+Sentence titleOf(const reference::UnitExplanation& unit, const LevelPatch& patch, bool whole) {
     const float share = shareOf(unit, patch.level);
-    std::string title = fmt::format("level {}", patch.level);
+    Sentence title("level {0}", patch.level);
     if (unit.sample.cube)
-        title = fmt::format("{} · {}", rowOf(cubeFaceAt(patch.layer)).label, title);
+        title = Sentence("{0} · {1}", rowOf(cubeFaceAt(patch.layer)).label, title);
     if (!whole)
         return title;
-    return share < 1 ? fmt::format("{} · {} %", title, std::lround(share * 100))
-                     : fmt::format("{} · {} × {}", title, patch.extent.x, patch.extent.y);
+    return share < 1 ? Sentence("{0} · {1} %", title, std::lround(share * 100))
+                     : Sentence("{0} · {1} × {2}", title, patch.extent.x, patch.extent.y);
 }
 
 /// The longest title that fits.
-std::string titleThatFits(const reference::UnitExplanation& unit, const LevelPatch& patch, float room) {
-    std::string title = titleOf(unit, patch, true);
+Sentence titleThatFits(const reference::UnitExplanation& unit, const LevelPatch& patch, float room) {
+    Sentence title = titleOf(unit, patch, true);
     return ImGui::CalcTextSize(tr(title).c_str()).x <= room ? title : titleOf(unit, patch, false);
 }
 
@@ -154,7 +152,7 @@ std::vector<Inset> insetsOf(const reference::UnitExplanation& unit, std::span<co
     for (const LevelPatch& each : patches) {
         if (each.size.x < 1 || each.size.y < 1)
             continue;
-        const std::string title = titleThatFits(unit, each, maxWidth);
+        const Sentence title = titleThatFits(unit, each, maxWidth);
         const std::string shown = fitted(title, maxWidth);
         const float frameWidth = std::max(side, ImGui::CalcTextSize(shown.c_str()).x);
         insets.push_back({&each, {}, side / static_cast<float>(each.size.x), title, shown, frameWidth});

@@ -2,6 +2,7 @@
 
 #include "app/ui/texture_space/plane_drawing.h"
 #include "app/ui/widgets/inset_placement.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/reference/explain/explanation.h"
 
 #include <array>
@@ -16,7 +17,7 @@ struct Inset {
     const reference::LevelPatch* patch;
     ImVec2 low; ///< upper left, of the texels
     float cell; ///< the extent of a texel
-    std::string title;
+    Sentence title;
     std::string shown; ///< the part that fits, in the window's language
     float width;       ///< of the frame; the title may make it wider than the texels
 

@@ -50,8 +50,8 @@ void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const I
     const Box frame = inset.frame();
     draw.AddRectFilled(frame.low, frame.high, faded(color::ground, 0.96F), em * 0.2F);
     draw.AddText({inset.low.x, inset.low.y - em * 1.15F}, color::text, inset.shown.c_str());
-    noteDrawn("patch-frame:" + inset.title, frame.low, frame.high);
-    noteDrawn("patch title:" + inset.title, {inset.low.x, inset.low.y - insetTitleHeight()},
+    noteDrawn("patch-frame:" + inset.title.english(), frame.low, frame.high);
+    noteDrawn("patch title:" + inset.title.english(), {inset.low.x, inset.low.y - insetTitleHeight()},
               {inset.low.x + ImGui::CalcTextSize(inset.shown.c_str()).x, inset.low.y});
     draw.PushClipRect(inset.low, end, true);
     for (int y = 0; y < patch.size.y; ++y) {

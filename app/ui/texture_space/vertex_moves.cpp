@@ -3,7 +3,6 @@
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/state/chosen_vertices.h"
 
-#include <fmt/core.h>
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -17,10 +16,9 @@ namespace {
 constexpr float angleStep = std::numbers::pi_v<float> / 12; // 15 degrees
 constexpr float factorStep = 0.25F;
 
-std::string nameOfMove(MoveKind kind, std::span<const std::size_t> vertices) {
+Sentence nameOfMove(MoveKind kind, std::span<const std::size_t> vertices) {
     const MoveRow& row = rowOf(kind);
-    return vertices.size() == 1 ? fmt::format(fmt::runtime(row.one), vertices.front())
-                                : fmt::format(fmt::runtime(row.many), vertices.size());
+    return vertices.size() == 1 ? Sentence(row.one, vertices.front()) : Sentence(row.many, vertices.size());
 }
 
 std::vector<glm::vec2> placesOf(std::span<const std::size_t> vertices, std::span<const glm::vec2> all) {

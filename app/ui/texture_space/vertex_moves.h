@@ -2,10 +2,10 @@
 
 #include "app/ui/model/session.h"
 #include "app/ui/texture_space/plane_coords.h"
+#include "texplorer/base/sentence.h"
 
 #include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace texplorer::ui {
@@ -37,18 +37,18 @@ enum class MoveKind : std::uint8_t { Move, Rotate, Scale };
 struct MoveRow {
     MoveKind kind;
     int key;
-    const char* one;  ///< the name in Undo, with the vertex's number
-    const char* many; ///< with the number of vertices
-    const char* hint; ///< with that number, too
+    Sentence::Key<std::size_t> one;  ///< the name in Undo, with the vertex's number
+    Sentence::Key<std::size_t> many; ///< with the number of vertices
+    Sentence::Key<std::size_t> hint; ///< with that number, too
 };
 
 inline constexpr std::array moveRows{
-    MoveRow{MoveKind::Move, 'G', "Move vertex {}", "Move {} vertices",
-            "Moving {} · S, T: one axis · Enter confirms, Escape cancels"},
-    MoveRow{MoveKind::Rotate, 'R', "Rotate vertex {}", "Rotate {} vertices",
-            "Rotating {} · Enter confirms, Escape cancels"},
-    MoveRow{MoveKind::Scale, 'S', "Scale vertex {}", "Scale {} vertices",
-            "Scaling {} · S, T: one axis · Enter confirms, Escape cancels"},
+    MoveRow{MoveKind::Move, 'G', "Move vertex {0}", "Move {0} vertices",
+            "Moving {0} · S, T: one axis · Enter confirms, Escape cancels"},
+    MoveRow{MoveKind::Rotate, 'R', "Rotate vertex {0}", "Rotate {0} vertices",
+            "Rotating {0} · Enter confirms, Escape cancels"},
+    MoveRow{MoveKind::Scale, 'S', "Scale vertex {0}", "Scale {0} vertices",
+            "Scaling {0} · S, T: one axis · Enter confirms, Escape cancels"},
 };
 
 [[nodiscard]] inline const MoveRow& rowOf(MoveKind kind) {
@@ -70,7 +70,7 @@ struct VertexMove {
     int model = 0;
     int unit = 0;
     bool submitted = false; ///< there is an undo step to drop
-    std::string refusal{};  ///< why nothing moves; empty: it does
+    Sentence refusal{};     ///< why nothing moves; empty: it does
 };
 
 /// The number of texels along each axis of the plane's picture.

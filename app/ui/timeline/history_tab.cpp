@@ -6,7 +6,7 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 
 #include <fmt/core.h>
 
@@ -21,30 +21,31 @@ namespace {
 constexpr float pictureWidth = 6.4F; // in widths of a letter m
 constexpr float pictureHeight = 4;
 
-std::string stepName(const History& history, std::size_t step) {
-    const std::string& name = history.nameOf(step);
+Sentence stepName(const History& history, std::size_t step) {
+    const Sentence& name = history.nameOf(step);
     return name.empty() ? "Start" : name;
 }
 
 /// The name of a step in at most two lines.
-std::vector<std::string> nameLines(const std::string& english, float room) {
+std::vector<std::string> nameLines(const Sentence& english, float room) {
     const std::string name = tr(english);
     const std::string lines = wrappedLines(name, room);
     const std::size_t end = lines.find('\n');
     if (end == std::string::npos)
         return {lines};
     const std::size_t rest = std::min(name.find_first_not_of(' ', end), name.size());
-    return {lines.substr(0, end), fitted(name.substr(rest), room)};
+    return {lines.substr(0, end), fitted(ProperName{name.substr(rest)}, room)};
 }
 
-std::string stepHelp(const History& history, std::size_t step) {
-    const std::string name = stepName(history, step);
+Sentence stepHelp(const History& history, std::size_t step) {
+    const Sentence name = stepName(history, step);
     const std::size_t present = history.position();
-    return step == present  ? fmt::format("{}\n"
-                                           "The present state.",
-                                          name)
-           : step < present ? fmt::format("{}\nClick: undo {}", name, countOf(present - step, "step"))
-                            : fmt::format("{}\nClick: redo {}", name, countOf(step - present, "step"));
+    if (step == present)
+        return {"{0}\nThe present state.", name};
+    return step < present ? Sentence("{0}\nClick: undo {1}", name,
+                                     Sentence::plural("{0} step", "{0} steps", present - step))
+                          : Sentence("{0}\nClick: redo {1}", name,
+                                     Sentence::plural("{0} step", "{0} steps", step - present));
 }
 
 /// Returns true if it was clicked.

@@ -41,7 +41,7 @@ void followChosen(const Session& session, TimelineTabState& state) {
 }
 
 std::string nameOfGrid(float grid) {
-    return grid > 0 ? fmt::format("{:g} s", grid) : tr("no grid");
+    return tr(grid > 0 ? Sentence("{0:g} s", grid) : "no grid");
 }
 
 void gridChoice(TimelineTabState& state) {
@@ -97,7 +97,7 @@ void easingChoice(const Session& session, const TimelineTabState::ChosenKey& cho
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 10);
     const bool open = ImGui::BeginCombo("##easing", tr(now.label).c_str());
     item("key:easing",
-         Sentence("{0}\n{1}", tr("How the value changes from this key to the next one."), tr(now.help)));
+         Sentence("{0}\n{1}", "How the value changes from this key to the next one.", now.help));
     if (!open)
         return;
     for (const EnumRow& row : EnumTable<Easing>::rows) {
@@ -145,7 +145,7 @@ void keyControls(const Session& session, TimelineTabState& state) {
     if (!row)
         return;
     labelText(shownName(session.settings, **row));
-    helpTip(key.path);
+    helpTip(ProperName{key.path});
     besideOrBelow(em * 5);
     timeOfKey(session, chosen, key.time);
     besideOrBelow(valueWidth(**row));

@@ -33,6 +33,6 @@ void drawTracks(const Session& session, TimelineTabState& state);
 void requestTime(const Session& session, float time);
 
 /// The text of a parameter's value: "Clamp (legacy)", "45".
-[[nodiscard]] std::string wordsOfValue(const Settings& settings, const ParamRow& row, std::string_view value);
+[[nodiscard]] Sentence wordsOfValue(const Settings& settings, const ParamRow& row, std::string_view value);
 
 } // namespace texplorer::ui

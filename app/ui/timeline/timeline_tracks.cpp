@@ -11,6 +11,7 @@
 #include "texplorer/scene/params/params.h"
 #include "texplorer/scene/params/value_mix.h"
 #include "texplorer/text/printable.h"
+#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 #include <imgui_internal.h> // whether the focus rectangle is shown
@@ -113,7 +114,7 @@ void drawKey(const Session& session, TimelineTabState& state, const TrackPlan& p
     noteItem(fmt::format("key:{}@{:g}", key.path, key.time));
     const bool isFocused = ImGui::IsItemFocused() && !ImGui::GetCurrentContext()->NavDisableHighlight;
     const bool isHovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
-    const std::string words = wordsOfValue(session.settings, row, key.value);
+    const Sentence words = wordsOfValue(session.settings, row, key.value);
     helpTip(Sentence("{0:.2f} s: {1}, {2}. Drag: move it. Right click: more.", key.time, words,
                      rowOf(key.easing).label));
     if (isHovered)
@@ -177,7 +178,7 @@ void drawWay(ImDrawList& draw, const ParamRow& row, const KeyFrame& from, const 
 }
 
 void trackName(const Session& session, const TrackPlan& plan, const std::string& path, const ParamRow& row,
-               const std::string& name) {
+               const Sentence& name) {
     const float em = ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = plan.names - em * 0.5F;
@@ -187,11 +188,11 @@ void trackName(const Session& session, const TrackPlan& plan, const std::string&
     const bool isHovered = ImGui::IsItemHovered();
     if (isHovered)
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    helpTip(Sentence("{0}\nClick: show the setting", path));
+    helpTip(Sentence("{0}\nClick: show the setting", ProperName{path}));
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right) || isMenuAsked())
         ImGui::OpenPopup("trackmenu");
     if (ImGui::BeginPopup("trackmenu")) {
-        dimText(path);
+        dimPlainText(path);
         ImGui::Separator();
         if (ImGui::MenuItem(label("Remove its key frames")))
             removeKeys(session, path);
@@ -199,7 +200,8 @@ void trackName(const Session& session, const TrackPlan& plan, const std::string&
         ImGui::EndPopup();
     }
     const Result<std::string> now = getParam(presentScene(session), path);
-    const std::string value = fitted(now ? wordsOfValue(session.settings, row, *now) : "", width * 0.45F);
+    const std::string value =
+        fitted(now ? wordsOfValue(session.settings, row, *now) : Sentence(), width * 0.45F);
     const float valueWidth = ImGui::CalcTextSize(value.c_str()).x;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float top = low.y + (plan.height - em) / 2;
@@ -210,7 +212,7 @@ void trackName(const Session& session, const TrackPlan& plan, const std::string&
 }
 
 void drawTrack(const Session& session, TimelineTabState& state, const TrackPlan& plan, const Track& track,
-               const std::string& name) {
+               const Sentence& name) {
     const Scene& scene = presentScene(session);
     const auto row = rowAt(scene, track.path);
     if (!row)
@@ -252,17 +254,17 @@ void drawTrack(const Session& session, TimelineTabState& state, const TrackPlan&
 }
 
 /// The labels of the parameters; their paths if several have the same label.
-std::vector<std::string> namesOfTracks(const Session& session, const std::vector<Track>& tracks) {
-    std::vector<std::string> names;
+std::vector<Sentence> namesOfTracks(const Session& session, const std::vector<Track>& tracks) {
+    std::vector<Sentence> names;
     std::map<std::string, int> count;
     for (const Track& track : tracks) {
         const auto row = rowAt(presentScene(session), track.path);
-        names.push_back(row ? tr(shownName(session.settings, **row)) : std::string(track.path));
+        names.push_back(row ? Sentence(shownName(session.settings, **row)) : ProperName{track.path});
         ++count[names.back()];
     }
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (count[names[i]] > 1)
-            names[i] = tracks[i].path;
+            names[i] = ProperName{tracks[i].path};
     }
     return names;
 }
@@ -284,14 +286,14 @@ std::string roundedNumbers(std::string_view numbers) {
 
 } // namespace
 
-std::string wordsOfValue(const Settings& settings, const ParamRow& row, std::string_view value) {
+Sentence wordsOfValue(const Settings& settings, const ParamRow& row, std::string_view value) {
     if (const EnumRow* choice = findRow(row.choices, value))
-        return tr(shownName(settings, *choice));
+        return shownName(settings, *choice);
     if (row.kind == Kind::Bool)
-        return value == "true" ? tr("on") : tr("off");
+        return value == "true" ? word("on") : word("off");
     const bool isText = row.kind == Kind::Text;
-    return isText ? printable(value.substr(0, maxValueBytes))
-                  : roundedNumbers(value.substr(0, maxValueBytes));
+    value = value.substr(0, maxValueBytes);
+    return ProperName{isText ? printable(value) : roundedNumbers(value)};
 }
 
 void requestTime(const Session& session, float time) {
@@ -303,7 +305,7 @@ void drawTracks(const Session& session, TimelineTabState& state) {
     ruler(session, state, plan);
     ImGui::BeginChild("tracks");
     const std::vector<Track> tracks = tracksOf(presentScene(session).timeline);
-    const std::vector<std::string> names = namesOfTracks(session, tracks);
+    const std::vector<Sentence> names = namesOfTracks(session, tracks);
     const float top = ImGui::GetCursorScreenPos().y;
     for (std::size_t i = 0; i < tracks.size(); ++i)
         drawTrack(session, state, plan, tracks[i], names[i]);

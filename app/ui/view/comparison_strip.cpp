@@ -70,7 +70,7 @@ public:
         ImGui::SetCursorScreenPos({x_ - width, y_});
     }
     /// A label with the height of a widget.
-    void text(const std::string& words, ImU32 tint, float gap) {
+    void text(const Sentence& words, ImU32 tint, float gap) {
         const std::string shown = tr(words);
         put(ImGui::CalcTextSize(shown.c_str()).x, gap);
         ImGui::AlignTextToFramePadding();
@@ -100,7 +100,8 @@ void toleranceField(const Session& session, Flow& flow, const Difference* differ
     const float field = ImGui::CalcTextSize("255").x + 2 * ImGui::GetStyle().FramePadding.x;
     const bool hasShare = difference && difference->max > 0;
     const std::string words =
-        tr(hasShare ? Sentence("{0} % over", rounded(100 * difference->shareOver(), 2)) : "Tolerance");
+        tr(hasShare ? Sentence("{0} % over", ProperName{rounded(100 * difference->shareOver(), 2)})
+                    : "Tolerance");
     flow.put(ImGui::CalcTextSize(words.c_str()).x + field + ImGui::CalcTextSize(perByte).x + 2 * narrow, gap);
     ImGui::AlignTextToFramePadding();
     plainText(words, hasShare ? color::text : color::dim);
@@ -124,9 +125,9 @@ void worstButton(const Session& session, Flow& flow, const Difference& differenc
                  float gap) {
     const float em = ImGui::GetFontSize();
     const bool ringed = isRinged(difference);
-    const std::string words = fmt::format("max {}/255", difference.max);
+    const Sentence words("max {0}/255", difference.max);
     const float sign = ringed ? em * 1.2F : 0;
-    const float width = buttonWidth(words.c_str()) + sign;
+    const float width = buttonWidth(words) + sign;
     flow.put(width, gap);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::Button("##worst", {width, 0}))
@@ -156,7 +157,7 @@ void numbers(const Session& session, Flow& flow, const Difference& difference, v
         noteItem("equal");
         return helpTip("Red, green and blue are the same everywhere.");
     }
-    flow.text(Sentence("mean {0}/255", rounded(difference.mean, 3)), color::text, gap);
+    flow.text(Sentence("mean {0}/255", ProperName{rounded(difference.mean, 3)}), color::text, gap);
     item("mean difference", "The mean over all components of all pixels");
     worstButton(session, flow, difference, picture, gap);
 }
@@ -172,12 +173,12 @@ int linesNeeded(const ViewSettings& settings, const Rect& strip, float gap, floa
         if (comparesRenderers(settings))
             flow.place(buttonWidth(row.label), narrow);
     }
-    const float field = textWidth("255") + 2 * padding.x;
-    flow.place(std::max(textWidth("99.99 % over"), textWidth("Tolerance")) + field + textWidth(perByte) +
-                   2 * narrow,
+    const float field = ImGui::CalcTextSize("255").x + 2 * padding.x;
+    flow.place(std::max(textWidth(Sentence("{0} % over", ProperName{"99.99"})), textWidth("Tolerance")) +
+                   field + ImGui::CalcTextSize(perByte).x + 2 * narrow,
                gap);
-    flow.place(textWidth("mean 0.999/255"), gap);
-    flow.place(textWidth("max 255/255") + 2 * padding.x + ImGui::GetFontSize() * 1.2F, gap);
+    flow.place(textWidth(Sentence("mean {0}/255", ProperName{"0.999"})), gap);
+    flow.place(textWidth(Sentence("max {0}/255", 255)) + 2 * padding.x + ImGui::GetFontSize() * 1.2F, gap);
     return flow.lines();
 }
 
@@ -212,9 +213,7 @@ void drawComparisonStrip(const Session& session, const Pictures& pictures, const
     if (pictures.difference)
         numbers(session, flow, pictures.difference->numbers, pictures.frames.front().frame.size, gap);
     else
-        flow.text(isDrawing(pictures, comparedOf(settings)) ? "Drawing…"
-                                                            : "no numbers: a picture is "
-                                                              "missing",
+        flow.text(isDrawing(pictures, comparedOf(settings)) ? "Drawing…" : "no numbers: a picture is missing",
                   color::dim, gap);
 }
 

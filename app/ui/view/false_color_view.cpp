@@ -26,8 +26,8 @@ std::string shownLabel(const ViewSettings& settings) {
 
 /// The meaning of a legend's colours.
 struct FalseColorScale {
-    std::string title;
-    std::string shortTitle; ///< used if there is less room
+    Sentence title;
+    Sentence shortTitle; ///< used if there is less room
     std::function<std::array<std::uint8_t, 4>(float place)> colorAt;
     std::vector<LegendMark> marks{};                        ///< at 0 to 1
     std::optional<std::array<std::uint8_t, 4>> magnified{}; ///< the field in front of it
@@ -36,8 +36,8 @@ struct FalseColorScale {
 FalseColorScale scaleOf(const reference::LevelMap& map, Shown shown, int unit) {
     if (shown == Shown::Lambda) {
         const int steps = reference::stepsOf(map); // levels above the base
-        FalseColorScale scale{fmt::format("λ of unit {}, black where magnified", unit),
-                              fmt::format("λ of unit {}", unit), [steps](float place) {
+        FalseColorScale scale{Sentence("λ of unit {0}, black where magnified", unit),
+                              Sentence("λ of unit {0}", unit), [steps](float place) {
                                   return reference::lambdaColor(
                                       std::max(place, 1e-6F) * static_cast<float>(steps), steps);
                               }};
@@ -46,8 +46,8 @@ FalseColorScale scaleOf(const reference::LevelMap& map, Shown shown, int unit) {
         scale.magnified = reference::lambdaColor(0, steps);
         return scale;
     }
-    FalseColorScale scale{fmt::format("Footprint of unit {}: longer side by shorter", unit),
-                          fmt::format("Footprint of unit {}", unit), [](float place) {
+    FalseColorScale scale{Sentence("Footprint of unit {0}: longer side by shorter", unit),
+                          Sentence("Footprint of unit {0}", unit), [](float place) {
                               return reference::ratioColor(std::pow(reference::maxShownRatio, place));
                           }};
     for (float ratio = 1; ratio <= reference::maxShownRatio; ratio *= 2)
@@ -129,9 +129,9 @@ void drawFalseColorLegend(ImDrawList& draw, const Session& session, const Pane& 
     const float right = static_cast<float>(pane.frame.right()) - em;
     const ImVec2 low(right - width, static_cast<float>(pane.frame.bottom()) - 2.6F * line - 2 * pad);
     if (!map) {
-        const std::string words = answer && !answer->map
-                                      ? fmt::format("No false colours: {}", answer->map.error().message)
-                                      : "Computing the levels of the pixels…";
+        const Sentence words = answer && !answer->map
+                                   ? Sentence("No false colours: {0}", answer->map.error().message)
+                                   : "Computing the levels of the pixels…";
         const std::string text = fitted(words, width);
         const float y = static_cast<float>(pane.frame.bottom()) - line - 2 * pad;
         const float x = right - ImGui::CalcTextSize(text.c_str()).x;

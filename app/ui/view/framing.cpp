@@ -87,7 +87,7 @@ void show(const Session& session, const ShowRow& row, const Layout& layout) {
     Selection selection = session.look.selection;
     selection.vertex.reset();
     View fitted;
-    Step step = stepThat(session, fmt::format("Show {}", row.label), [&](Scene& scene) {
+    Step step = stepThat(session, Sentence("Show {0}", row.label), [&](Scene& scene) {
         showOnly(scene, row.show, session.look.playback.time, aspectOf(layout));
         fitted = scene.view;
         const auto shown = std::ranges::find(scene.models, true, &Model::visible);

@@ -36,7 +36,7 @@ struct RendererChoice {
     std::string words;
     bool chosen;
     bool offered;
-    std::string help;
+    Sentence help;
     std::function<void(ViewSettings& settings)> choose;
 };
 
@@ -69,7 +69,7 @@ void drawButtons(const Session& session, RendererForm form) {
         if (flatButton(label(each.words).c_str(), each.chosen))
             choose(session, each);
         ImGui::EndDisabled();
-        item("renderer:" + each.name, Sentence("{0}\n{1}", each.help, fmt::format("Key {}", ++key)));
+        item("renderer:" + each.name, Sentence("{0}\n{1}", each.help, Sentence("Key {0}", ++key)));
         ImGui::SameLine(0, gap);
     }
 }
@@ -96,10 +96,10 @@ void drawList(const Session& session, float maxWidth) {
 
 } // namespace
 
-std::string helpOf(const ViewSettings& settings, const EnumRow& renderer) {
-    const std::string& reason = settings.offered.whyNot(static_cast<RendererKind>(renderer.value));
-    return reason.empty() ? std::string(renderer.help)
-                          : fmt::format("{}\n{}", renderer.help, fmt::format("Not available: {}.", reason));
+Sentence helpOf(const ViewSettings& settings, const EnumRow& renderer) {
+    const auto& reason = settings.offered.whyNot(static_cast<RendererKind>(renderer.value));
+    return reason.empty() ? Sentence(renderer.help)
+                          : Sentence("{0}\n{1}", renderer.help, Sentence("Not available: {0}.", reason));
 }
 
 float rendererChoiceWidth(const ViewSettings& settings, RendererForm form) {

@@ -3,12 +3,11 @@
 #include "app/ui/model/session.h"
 
 #include <array>
-#include <string>
 
 namespace texplorer::ui {
 
 /// The help of a renderer in this window: what it is, and, if it is not offered, why.
-[[nodiscard]] std::string helpOf(const ViewSettings& settings, const EnumRow& renderer);
+[[nodiscard]] Sentence helpOf(const ViewSettings& settings, const EnumRow& renderer);
 
 /// The size of the choice in the menu bar.
 enum class RendererForm {

@@ -12,7 +12,6 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/picking.h"
 #include "texplorer/scene/tex_coords.h"
 
@@ -243,12 +242,12 @@ constexpr std::array hints{ViewHint{"Hold E: explain", "E"},
                            ViewHint{"Click: select a vertex"},
                            ViewHint{"Ctrl + wheel: enlarge the pixels"}};
 
-std::string hintsFor(const Session& session, float available) {
-    std::string line;
+Sentence hintsFor(const Session& session, float available) {
+    Sentence line;
     for (const ViewHint& hint : hints) {
         if (isTakenByLesson(session, hint.key))
             continue;
-        const std::string longer = line.empty() ? hint.words : fmt::format("{}  ·  {}", line, hint.words);
+        const Sentence longer = line.empty() ? hint.words : Sentence("{0}  ·  {1}", line, hint.words);
         if (ImGui::CalcTextSize(tr(longer).c_str()).x > available)
             break;
         line = longer;

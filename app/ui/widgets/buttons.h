@@ -9,12 +9,12 @@
 namespace texplorer::ui {
 
 /// The width of a text in English, in the window's language.
-[[nodiscard]] inline float textWidth(std::string_view words) {
+[[nodiscard]] inline float textWidth(const Sentence& words) {
     return ImGui::CalcTextSize(tr(words).c_str()).x;
 }
 
 /// The width of a button with these words, in pixels: to check before drawing whether a row fits.
-[[nodiscard]] inline float buttonWidth(std::string_view words) {
+[[nodiscard]] inline float buttonWidth(const Sentence& words) {
     return textWidth(words) + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
@@ -24,10 +24,10 @@ namespace texplorer::ui {
 }
 
 /// A button with its text and its help in English, which a disabled one shows as well, and its name in tests.
-inline bool button(const char* words, std::string_view name, std::string_view help, bool enabled = true,
+inline bool button(const Sentence& words, std::string_view name, const Sentence& help, bool enabled = true,
                    float width = 0) {
     ImGui::BeginDisabled(!enabled);
-    const bool pressed = ImGui::Button(label(words), {width, 0});
+    const bool pressed = ImGui::Button(label(words).c_str(), {width, 0});
     noteItem(name);
     ImGui::EndDisabled();
     helpTip(help);

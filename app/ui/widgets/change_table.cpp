@@ -4,13 +4,11 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 
-#include <fmt/core.h>
-
 namespace texplorer::ui {
 namespace {
 
 /// Cut at the end of the column; a tooltip then shows all of it.
-void valueCell(const std::string& value, ImU32 ink) {
+void valueCell(const Sentence& value, ImU32 ink) {
     ImGui::TableNextColumn();
     if (fittedText(value, ink))
         helpTip(value);
@@ -38,7 +36,7 @@ bool beginChangeTable(const ChangeColumns& columns, ImVec2 size) {
 void changedParam(const SceneChange& change) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    fittedText(Sentence("{0}   {1}", tr(change.label), change.path), color::text);
+    fittedText(Sentence("{0}   {1}", change.label, ProperName{change.path}), color::text);
 }
 
 void changedValues(const SceneChange& change) {

@@ -26,7 +26,7 @@ void offerChoice(const Session& session, const ParamRow& row, const EnumRow& cho
     choiceTip(choice);
     if (isCurrent || !ImGui::IsItemHovered())
         return;
-    preview(session, fmt::format("{}={}", path, choice.name), fmt::format("{}: {}", row.label, choice.label),
+    preview(session, fmt::format("{}={}", path, choice.name), Sentence("{0}: {1}", row.label, choice.label),
             [&](Scene& scene) { (void)setParam(scene, path, choice.name); });
 }
 

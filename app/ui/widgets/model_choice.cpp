@@ -12,23 +12,23 @@
 
 namespace texplorer::ui {
 
-std::string shownNameOf(const Model& model) {
-    return model.name.empty() ? tr(nameOf(model)) : model.name;
+Sentence shownNameOf(const Model& model) {
+    return model.name.empty() ? Sentence(nameOf(model)) : ProperName{model.name};
 }
 
 void modelChoice(const Session& session, float minWidth, float maxWidth) {
     const std::vector<Model>& models = presentScene(session).models;
     const auto name = [&](int index) {
-        return fmt::format("{}  {}", index, shownNameOf(models[static_cast<std::size_t>(index)]));
+        return Sentence("{0}  {1}", index, shownNameOf(models[static_cast<std::size_t>(index)]));
     };
-    const std::string chosen = name(session.look.selection.model);
+    const Sentence chosen = name(session.look.selection.model);
     const float beside = minWidth - listRoom(minWidth);
-    const float width = std::clamp(ImGui::CalcTextSize(chosen.c_str()).x + beside + 1, minWidth, maxWidth);
+    const float width = std::clamp(textWidth(chosen) + beside + 1, minWidth, maxWidth);
     const std::string shown = fitted(chosen, listRoom(width));
     ImGui::SetNextItemWidth(width);
     if (ImGui::BeginCombo("##model", shown.c_str())) {
         for (int i = 0; i < static_cast<int>(models.size()); ++i) {
-            if (ImGui::Selectable(name(i).c_str(), i == session.look.selection.model))
+            if (ImGui::Selectable(tr(name(i)).c_str(), i == session.look.selection.model))
                 act(session, [i](Session& changed) {
                     changed.look.selection.model = i;
                     changed.look.selection.vertex.reset();
@@ -40,7 +40,7 @@ void modelChoice(const Session& session, float minWidth, float maxWidth) {
     noteItem("model choice");
     noteItem("model choice:" + shown);
     const char* help = "The model whose values and vertices are shown";
-    helpTip(shown == chosen ? Sentence(help) : Sentence("{0}\n{1}", chosen, help));
+    helpTip(shown == tr(chosen) ? Sentence(help) : Sentence("{0}\n{1}", chosen, help));
 }
 
 } // namespace texplorer::ui

@@ -2,6 +2,7 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/state/layout.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 
@@ -21,13 +22,13 @@ void textureSpaceItems(const Session& session) {
 
 } // namespace
 
-bool menuItem(const std::string& name, const std::string& keys, bool enabled, bool marked) {
+bool menuItem(const Sentence& name, const std::string& keys, bool enabled, bool marked) {
     const bool pressed = ImGui::MenuItem(label(name).c_str(), keys.c_str(), marked, enabled);
-    noteItem("menu:" + name);
+    noteItem("menu:" + name.english());
     return pressed;
 }
 
-bool menuChoice(const std::string& name, bool marked) {
+bool menuChoice(const Sentence& name, bool marked) {
     return menuItem(name, {}, true, marked);
 }
 

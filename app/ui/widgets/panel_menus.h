@@ -8,11 +8,10 @@
 namespace texplorer::ui {
 
 /// An item with its keys, "Ctrl+S". Its name in tests is "menu:Save".
-bool menuItem(const std::string& name, const std::string& keys = {}, bool enabled = true,
-              bool marked = false);
+bool menuItem(const Sentence& name, const std::string& keys = {}, bool enabled = true, bool marked = false);
 
 /// The same for a choice of several.
-bool menuChoice(const std::string& name, bool marked);
+bool menuChoice(const Sentence& name, bool marked);
 
 /// A menu, and its items while it is open.
 void menuOf(const char* name, const std::function<void()>& items);

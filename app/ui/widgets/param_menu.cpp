@@ -2,10 +2,10 @@
 #include "app/ui/model/sheet_choice.h"
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/state/pinned.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/palette.h"
 #include "app/ui/widgets/param_parts.h"
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/key_edits.h"
 
 #include <fmt/core.h>
@@ -18,8 +18,8 @@ namespace texplorer::ui {
 namespace {
 
 /// An item with its name in tests, "path#menu:name".
-bool rowItem(std::string_view words, const std::string& path, std::string_view name,
-             std::string_view help = {}, bool enabled = true) {
+bool rowItem(const Sentence& words, const std::string& path, std::string_view name, const Sentence& help = {},
+             bool enabled = true) {
     const bool pressed = ImGui::MenuItem(label(words).c_str(), nullptr, false, enabled);
     noteItem(fmt::format("{}#menu:{}", path, name));
     if (!help.empty())
@@ -33,9 +33,9 @@ void keyItems(const Session& session, const std::string& path) {
     const float time = presentKeyTime(session);
     ImGui::Separator();
     if (const std::optional<std::size_t> here = keyAt(timeline, path, time)) {
-        if (rowItem(fmt::format("Remove the key frame at {:.2f} s", time), path, "key"))
+        if (rowItem(Sentence("Remove the key frame at {0:.2f} s", time), path, "key"))
             removeKey(session, *here);
-    } else if (rowItem(fmt::format("Add key frame at {:.2f} s", time), path, "key",
+    } else if (rowItem(Sentence("Add key frame at {0:.2f} s", time), path, "key",
                        "Stores the present value at this time. The parameter moves from each key frame to "
                        "the next. The timeline lists them.")) {
         addKey(session, path, time);
@@ -62,8 +62,8 @@ bool paramMenu(const Session& session, const ParamRow& row, const std::string& p
                bool changed) {
     if (!ImGui::BeginPopup("row"))
         return false;
-    caption(glNameOf(row).empty() ? std::string(row.label)
-                                  : fmt::format("{} · {}", row.label, glNameOf(row)));
+    caption(glNameOf(row).empty() ? Sentence(row.label)
+                                  : Sentence("{0} · {1}", row.label, ProperName{glNameOf(row)}));
     const bool resets = rowItem(resetWords(row, initial), path, "reset", {}, changed);
     const bool isThere = isEssential(path);
     const bool pinned = isPinned(session.settings, path);
@@ -87,9 +87,9 @@ bool paramMenu(const Session& session, const ParamRow& row, const std::string& p
     return resets;
 }
 
-std::string resetWords(const ParamRow& row, const Value& initial) {
+Sentence resetWords(const ParamRow& row, const Value& initial) {
     const std::string words = formatValue(row, initial);
-    return words.empty() ? "Reset to nothing" : fmt::format("Reset to {}", words);
+    return words.empty() ? Sentence("Reset to nothing") : Sentence("Reset to {0}", ProperName{words});
 }
 
 void keySign(const Session& session, const std::string& path) {

@@ -71,7 +71,7 @@ void opensParamMenu();
                              const Value& initial, bool changed);
 
 /// "Reset to 1"
-[[nodiscard]] std::string resetWords(const ParamRow& row, const Value& initial);
+[[nodiscard]] Sentence resetWords(const ParamRow& row, const Value& initial);
 
 /// A diamond after the label of a parameter with key frames: filled if there is one at the present time.
 void keySign(const Session& session, const std::string& path);

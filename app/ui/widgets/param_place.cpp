@@ -59,7 +59,7 @@ void assignCoord(const Session& session, const ParamPlace& place, int component,
         return;
     coord[component] = number;
     const std::string path = fmt::format("{}[{}]", place.owner.pathOf(*place.row), *place.vertex);
-    submit(session, {.name = fmt::format("Move vertex {}", *place.vertex),
+    submit(session, {.name = Sentence("Move vertex {0}", *place.vertex),
                      .edits = {edit::Set{path, formatNumbers({&coord.x, 4})}},
                      .path = path,
                      .continues = true});

@@ -9,7 +9,6 @@
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_tips.h"
 #include "app/ui/widgets/text_field.h"
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/key_edits.h"
 #include "texplorer/scene/params/param_text.h"
 
@@ -104,10 +103,10 @@ bool isContinuous(Kind kind) {
 }
 
 /// The name in the history: several choices in a row would otherwise all be "Wrap s".
-std::string wordsOfEdit(const ParamRow& row, const Value& value) {
+Sentence wordsOfEdit(const ParamRow& row, const Value& value) {
     const EnumRow* choice =
         row.kind == Kind::Enum ? findRow(row.choices, std::get<EnumValue>(value).number) : nullptr;
-    return choice ? fmt::format("{}: {}", row.label, choice->label) : std::string(row.label);
+    return choice ? Sentence("{0}: {1}", row.label, choice->label) : Sentence(row.label);
 }
 
 Line lineOf(const Session& session, const Owner& owner, const ParamRow& row) {
@@ -254,7 +253,7 @@ void assignParam(const Session& session, const Owner& owner, const ParamRow& row
     if (value == row.read(owner.values))
         return;
     if (const Result<void> fits = checkValue(row, value); !fits) {
-        return act(session, [text = fmt::format("{}: {}", row.label, fits.error().message)](Session& told) {
+        return act(session, [text = Sentence("{0}: {1}", row.label, fits.error().message)](Session& told) {
             say(told, text);
         });
     }
@@ -267,7 +266,7 @@ void assignParam(const Session& session, const Owner& owner, const ParamRow& row
                      .continues = isContinuous(row.kind)});
 }
 
-bool squareButton(const char* sign, std::string_view name, std::string_view help, bool enabled) {
+bool squareButton(const char* sign, std::string_view name, const Sentence& help, bool enabled) {
     return button(sign, name, help, enabled, ImGui::GetFrameHeight());
 }
 

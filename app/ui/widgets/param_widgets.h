@@ -41,6 +41,6 @@ void paramRows(const Session& session, const Owner& owner, const StructTable& ta
 [[nodiscard]] bool isRelevant(const Session& session, const Owner& owner, const ParamRow& row);
 
 /// A square button; `name` is its name in tests.
-bool squareButton(const char* sign, std::string_view name, std::string_view help, bool enabled);
+bool squareButton(const char* sign, std::string_view name, const Sentence& help, bool enabled);
 
 } // namespace texplorer::ui

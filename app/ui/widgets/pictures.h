@@ -2,6 +2,7 @@
 
 #include "app/ui/state/view_frame.h"
 #include "app/view/pass_shader.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/image/image.h"
 
 #include <imgui.h>
@@ -9,7 +10,6 @@
 #include <functional>
 #include <memory>
 #include <span>
-#include <string>
 
 namespace texplorer::ui {
 
@@ -18,7 +18,7 @@ struct Pictures {
     std::span<const ViewFrame>
         frames; ///< in the order of shownRenderers, with Layout::picture's size; never empty
     const ViewDifference* difference = nullptr; ///< of the compared ones; nullptr: not known
-    std::span<const std::string> problems = {}; ///< the renderers' problems
+    std::span<const Sentence> problems = {};    ///< the renderers' problems
     /// One per pass, if the tab GLSL is shown or shaders draw; nullptr: none.
     std::span<const std::shared_ptr<const view::PassShader>> shaders = {};
     /// The base level of boundTexture(session), nearest filtering.

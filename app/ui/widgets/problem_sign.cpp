@@ -2,8 +2,6 @@
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/param_parts.h"
 
-#include <fmt/core.h>
-
 #include <cfloat>
 
 namespace texplorer::ui {
@@ -58,17 +56,17 @@ void problemSign(const Session& session, const std::string& path, const Finding&
     if (ImGui::InvisibleButton("sign", size))
         ImGui::OpenPopup("problem");
     item(path + "#problem", problem.fixes.empty()
-                                ? Sentence(sentenceOf(problem))
-                                : Sentence("{0}\n{1}", sentenceOf(problem), "Click: show fixes"));
+                                ? shownSentence(problem.sentence)
+                                : Sentence("{0}\n{1}", shownSentence(problem.sentence), "Click: show fixes"));
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowSizeConstraints({0, 0}, {em * 24, FLT_MAX});
     if (!ImGui::BeginPopup("problem"))
         return;
     ImGui::PushTextWrapPos(em * 22);
-    text(sentenceOf(problem));
+    text(shownSentence(problem.sentence));
     ImGui::PopTextWrapPos();
     for (const Fix& fix : problem.fixes) {
-        if (button(fix.label.c_str(), fmt::format("{}#fix:{}", path, fix.label), assignmentsOf(fix))) {
+        if (button(fix.label, path + "#fix:" + fix.label.english(), ProperName{assignmentsOf(fix)})) {
             applyFix(session, fix);
             ImGui::CloseCurrentPopup();
         }

@@ -10,9 +10,9 @@ namespace texplorer::ui {
 
 void programMenuItems(const Session& session) {
     for (const EnumRow& row : emit::flavourRows) {
-        if (menuItem(std::string(row.label)))
+        if (menuItem(row.label))
             act(session, [&row](Session& s) { askSaveProgram(s, static_cast<emit::Flavour>(row.value)); });
-        item(fmt::format("menu:{}", row.label), std::string(row.help));
+        item(fmt::format("menu:{}", row.label), row.help);
     }
 }
 

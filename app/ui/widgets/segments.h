@@ -1,5 +1,7 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
+
 #include <imgui.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include <iterator>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace texplorer::ui {
 
 /// A button of a choice that shows all its buttons.
 struct Segment {
-    std::string text;            ///< in English
+    Sentence text;               ///< in English
     std::string_view group = {}; ///< those of a group are on separate lines, which begin with its name
 };
 
@@ -53,7 +54,7 @@ template<class Choices, class TextOf>
 [[nodiscard]] std::vector<Segment> segmentsOf(const Choices& choices, const TextOf& textOf) {
     std::vector<Segment> segments;
     for (const auto& choice : choices)
-        segments.push_back({std::string(std::invoke(textOf, choice))});
+        segments.push_back({std::invoke(textOf, choice)});
     return segments;
 }
 

@@ -178,7 +178,7 @@ void dimWrappedText(const Sentence& words) {
     wrappedText(words, color::dim);
 }
 
-void caption(std::string_view words) {
+void caption(const Sentence& words) {
     const float em = ImGui::GetFontSize();
     ImGui::Dummy({0, em * 0.15F});
     text(words, color::text); // the dim colour means that something has no effect

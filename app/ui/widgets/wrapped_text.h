@@ -32,7 +32,7 @@ void wrappedText(const Sentence& words, ImU32 ink);
 void dimWrappedText(const Sentence& words);
 
 /// A small caption above a group, with a line to its right.
-void caption(std::string_view words);
+void caption(const Sentence& words);
 
 /// Such a text wrapped at a width in the current font, with newlines between its lines; and its size.
 [[nodiscard]] std::string wrappedLines(std::string_view words, float room);

@@ -2,6 +2,7 @@
 
 #include "app/ui/files/asking.h"
 #include "app/ui/files/scene_saving.h"
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/change_table.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -66,14 +67,14 @@ void drawChangedFile(const Session& session) {
     ImGui::Dummy({width, 0});
     wrappedText(
         Sentence("Another program has changed {0} since it was read. Saving overwrites those changes.",
-                 printable(session.document.file.filename().string())));
+                 ProperName{printable(session.document.file.filename().string())}));
     ImGui::Dummy({0, em * 0.3F});
     if (changed->theirs) {
         drawDifferences(changed->changes, width);
     } else {
-        wrappedText(
-            Sentence("The file contains no scene now: {0}.", printable(describe(changed->theirs.error()))),
-            color::problem);
+        plainWrappedText(printable(tr(Sentence("The file contains no scene now: {0}.",
+                                               describe(changed->theirs.error())))),
+                         color::problem);
         noteItem("changed:problem");
     }
     ImGui::Dummy({0, em * 0.3F});

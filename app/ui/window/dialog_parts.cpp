@@ -11,18 +11,18 @@
 
 namespace texplorer::ui {
 
-bool beginModal(const char* title, ImVec2 size) {
+bool beginModal(const Sentence& title, ImVec2 size) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const char* shown = label(title);
+    const std::string shown = label(title);
     const bool fits = size.x == 0; // its content
-    if (!ImGui::IsPopupOpen(shown))
-        ImGui::OpenPopup(shown);
+    if (!ImGui::IsPopupOpen(shown.c_str()))
+        ImGui::OpenPopup(shown.c_str());
     ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
     if (fits)
         ImGui::SetNextWindowSizeConstraints({0, 0}, {display.x * 0.96F, display.y * 0.94F});
     else
         ImGui::SetNextWindowSize(size);
-    return ImGui::BeginPopupModal(shown, nullptr,
+    return ImGui::BeginPopupModal(shown.c_str(), nullptr,
                                   (fits ? ImGuiWindowFlags_AlwaysAutoResize : ImGuiWindowFlags_NoResize) |
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
 }

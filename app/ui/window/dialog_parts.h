@@ -10,7 +10,7 @@ namespace texplorer::ui {
 
 /// Begins a dialog in the middle of the window, as large as its content or of this size. If it returns true,
 /// call ImGui::EndPopup().
-[[nodiscard]] bool beginModal(const char* title, ImVec2 size = {0, 0});
+[[nodiscard]] bool beginModal(const Sentence& title, ImVec2 size = {0, 0});
 
 /// A button of a dialog: as wide as its label, and not narrower than the others of its row.
 bool dialogButton(const char* words, std::string_view name);

@@ -6,6 +6,7 @@
 #include "app/ui/files/recording_file.h"
 #include "app/ui/files/scene_files.h"
 #include "app/ui/files/sheet_file.h"
+#include "app/ui/language/translate.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -15,8 +16,6 @@
 #include "texplorer/scene/storage/scene_file.h"
 #include "texplorer/suite/suite.h"
 #include "texplorer/text/printable.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -39,7 +38,7 @@ Result<void> chooseImage(Session& session, const std::filesystem::path& chosen,
 Result<void> writeAnswers(Session& session, const std::filesystem::path& chosen,
                           const std::optional<FileFingerprint>& replaces) {
     return saveAnswers(session.settings, chosen, replaces).map([&](const std::filesystem::path& file) {
-        tell(session, Sentence("Written: {0}", file.string()));
+        tell(session, Sentence("Written: {0}", ProperName{file.string()}));
     });
 }
 
@@ -109,8 +108,8 @@ void drawDiscard(const Session& session) {
     const Document& document = session.document;
     const std::filesystem::path& file = document.file.empty() ? document.suggested : document.file;
     const std::string name = printable(file.filename().string());
-    const std::string title = fmt::format("Unsaved changes in {}", name);
-    if (!beginModal(name.empty() ? "Unsaved changes in this scene" : title.c_str()))
+    if (!beginModal(name.empty() ? "Unsaved changes in this scene"
+                                 : Sentence("Unsaved changes in {0}", ProperName{name})))
         return;
     text(std::holds_alternative<pending::Quit>(session.asking.pending)
              ? "Save them before quitting?"
@@ -126,8 +125,8 @@ void drawDiscard(const Session& session) {
 void drawPictureQuestion(const Session& session) {
     if (!beginModal("A picture with its scene"))
         return;
-    const std::string name = session.asking.picture.file.filename().string();
-    text(Sentence("{0} contains the scene that it was drawn from.", printable(name)));
+    const std::string name = printable(session.asking.picture.file.filename().string());
+    text(Sentence("{0} contains the scene that it was drawn from.", ProperName{name}));
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
     endWithAnswers(session,
                    {{"Open its scene", "picture:scene", askPictureScene, key::enter},
@@ -150,7 +149,7 @@ void drawRefused(const Session& session) {
     ImGui::BeginChild("refused", {width, height}, true);
     for (const Error& each : session.asking.refused) {
         ImGui::PushTextWrapPos(0);
-        text(printable(describe(each)));
+        plainText(printable(tr(describe(each))));
         ImGui::PopTextWrapPos();
         noteItem("refused:" + each.where);
     }

@@ -8,7 +8,6 @@
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/text_field.h"
 #include "app/ui/window/dialog_parts.h"
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/json.h"
 #include "texplorer/text/printable.h"
 
@@ -78,18 +77,18 @@ Browsing choose(FileBrowser& browser, fs::path& chosen) {
         if (!path.has_extension() && !browser.extensions.empty())
             path += browser.suffix.empty() ? browser.extensions.front() : browser.suffix;
         if (!fs::is_directory(path.parent_path(), failed)) {
-            browser.error = fmt::format("There is no folder {}.", path.parent_path().string());
+            browser.error = Sentence("There is no folder {0}.", ProperName{path.parent_path().string()});
             return Browsing::Open;
         }
         const std::optional<FileFingerprint> there = fingerprintOf(path);
         if (there && there != browser.overwrites) {
             browser.overwrites = there;
             browser.error =
-                fmt::format("{} exists. Press Overwrite to replace it.", path.filename().string());
+                Sentence("{0} exists. Press Overwrite to replace it.", ProperName{path.filename().string()});
             return Browsing::Open;
         }
     } else if (!fs::exists(status)) {
-        browser.error = fmt::format("There is no file {}.", path.string());
+        browser.error = Sentence("There is no file {0}.", ProperName{path.string()});
         return Browsing::Open;
     }
     chosen = std::move(path);
@@ -99,7 +98,7 @@ Browsing choose(FileBrowser& browser, fs::path& chosen) {
 void mark(FileBrowser& browser, int index) {
     browser.marked = index;
     browser.overwrites.reset();
-    browser.error.clear();
+    browser.error = {};
     const FileBrowser::Entry& entry = browser.entries[static_cast<std::size_t>(index)];
     if (!entry.isFolder || !browser.saving)
         browser.typed = entry.name;
@@ -229,7 +228,8 @@ void enterFolder(FileBrowser& browser, const fs::path& folder) {
     const fs::path target = fs::weakly_canonical(folder, failed);
     fs::directory_iterator iterator(failed ? folder : target, failed);
     if (failed) {
-        browser.error = fmt::format("The folder {} can't be read: {}.", folder.string(), failed.message());
+        browser.error =
+            Sentence("The folder {0} can't be read: {1}.", ProperName{folder.string()}, failed.message());
         return;
     }
     std::vector<FileBrowser::Entry> entries;
@@ -261,7 +261,7 @@ void enterFolder(FileBrowser& browser, const fs::path& folder) {
     browser.entries = std::move(entries);
     browser.marked = -1;
     browser.overwrites.reset();
-    browser.error = cut ? fmt::format("Only the first {} entries are listed.", maxListedEntries) : "";
+    browser.error = cut ? Sentence("Only the first {0} entries are listed.", maxListedEntries) : "";
 }
 
 void beginBrowsing(FileBrowser& browser, std::string title, std::vector<std::string> extensions, bool saving,
@@ -288,7 +288,7 @@ Browsing drawFileBrowser(const Session& session, FileBrowser& browser, const Pic
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
     const ImVec2 size(std::min(em * 42, display.x * 0.94F), std::min(em * 32, display.y * 0.9F));
-    if (!beginModal((browser.title + "###browser").c_str(), size))
+    if (!beginModal(browser.title + "###browser", size))
         return Browsing::Open;
 
     Browsing result = Browsing::Open;
@@ -318,7 +318,7 @@ Browsing drawFileBrowser(const Session& session, FileBrowser& browser, const Pic
     noteItem("browser:name");
     if (browser.typed != before) {
         browser.overwrites.reset();
-        browser.error.clear();
+        browser.error = {};
     }
     const bool enterElsewhere = isKeyPressed(key::enter, false) && !ImGui::IsAnyItemActive();
     if (entered || (enterElsewhere && result == Browsing::Open)) {
@@ -327,10 +327,9 @@ Browsing drawFileBrowser(const Session& session, FileBrowser& browser, const Pic
     }
 
     if (!browser.extensions.empty()) {
-        const std::string all =
-            fmt::format("Lists all files, not only {}", fmt::join(browser.extensions, " "));
         ImGui::Checkbox(label("All files"), &browser.showAll);
-        item("browser:all", all);
+        const std::string extensions = fmt::format("{}", fmt::join(browser.extensions, " "));
+        item("browser:all", Sentence("Lists all files, not only {0}", ProperName{extensions}));
     }
     const char* verb = !browser.saving ? "Open" : browser.overwrites ? "Overwrite" : "Save";
     ImGui::SameLine(ImGui::GetContentRegionMax().x - dialogButtonWidth("Cancel") - dialogButtonWidth(verb) -

@@ -34,7 +34,7 @@ struct FileBrowser {
     std::vector<Entry> entries;
     std::string typed; ///< the name or path in the text field
     int marked = -1;   ///< index into entries
-    std::string error; ///< why the folder or the file is not available; empty: no error
+    Sentence error;    ///< why the folder or the file is not available; empty: no error
     std::optional<FileFingerprint> overwrites; ///< the file that the user has agreed to replace
     bool focusName = false;                    ///< the text field gets the keyboard in the next frame
     bool scrollToMarked = false;

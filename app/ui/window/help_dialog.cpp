@@ -63,8 +63,8 @@ constexpr std::array legends{
 
 /// An action and its effect. Without an effect: a heading.
 struct HelpRow {
-    std::string keys;
-    std::string effect{};
+    Sentence keys;
+    Sentence effect{};
     ThemeColor keysInk = color::text;
     ThemeColor effectInk = color::dim;
     bool ofPlane = false;
@@ -87,7 +87,7 @@ void addKeys(const Session& session, HelpRows& help) {
                 keys += ", " + other;
         }
         if (!taken)
-            help.push_back({keys, effect});
+            help.push_back({ProperName{keys}, effect});
     }
     for (const Line& line : otherKeys)
         help.push_back({line.keys, line.effect});
@@ -102,7 +102,7 @@ void addLessonKeys(const Session& session, HelpRows& help) {
         return;
     help.push_back({"Keys of this lesson (override the others)", "", color::dim});
     for (const lesson::LessonKey& key : run->lesson.keys)
-        help.push_back({std::string(lesson::signOfKey(key.key)), run->text(key.label)});
+        help.push_back({std::string(lesson::signOfKey(key.key)), ProperName{run->text(key.label)}});
 }
 
 HelpRows helpRows(const Session& session) {
@@ -126,7 +126,7 @@ float helpGap() {
     return ImGui::GetFontSize() * 0.6F;
 }
 
-float wrappedHeight(const std::string& words, float width) {
+float wrappedHeight(const Sentence& words, float width) {
     return wrappedSize(tr(words), std::max(width, 1.0F)).y;
 }
 
@@ -244,7 +244,7 @@ HelpPlan planHelp(const Session& session, ImVec2 available) {
     return three.height < two.height ? std::move(three) : std::move(two);
 }
 
-void helpText(const std::string& words, ThemeColor ink, float width) {
+void helpText(const Sentence& words, ThemeColor ink, float width) {
     ImGui::PushStyleColor(ImGuiCol_Text, ink);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + std::max(width, 1.0F));
     text(words);
@@ -262,9 +262,9 @@ void drawHelpRow(const HelpRow& row, float width) {
         ImGui::SetCursorPos({at.x + row.keysWidth + helpGap(), at.y});
         helpText(row.effect, row.effectInk, width - row.keysWidth - helpGap());
         if (row.ofPlane)
-            noteItem("plane key:" + row.keys);
+            noteItem("plane key:" + row.keys.english());
         else
-            noteItem("help:" + row.effect);
+            noteItem("help:" + row.effect.english());
     }
     ImGui::SetCursorPos({at.x, at.y + heightOf(row, width)});
 }
@@ -290,7 +290,7 @@ void drawHelpColumns(const HelpPlan& plan, float room) {
 void drawHelp(const Session& session) {
     if (!beginModal("Texplorer"))
         return;
-    const std::string intro =
+    const char* intro =
         "See what each texture parameter of OpenGL does: change it on the left, look at the result in the "
         "middle and find the texture coordinates on the right. Point at anything: the lower edge of the "
         "window explains it and shows its OpenGL call.";

@@ -51,9 +51,10 @@ std::string keyOf(const Session& session, const KeptRow& row) {
     return row.shortcut.empty() ? std::string() : keysOf(session, row.shortcut);
 }
 
-std::string helpOf(const Session& session, const KeptRow& row) {
+Sentence helpOf(const Session& session, const KeptRow& row) {
     const std::string key = keyOf(session, row);
-    return key.empty() ? std::string(row.help) : fmt::format("{}\n{}", row.help, fmt::format("Key {}", key));
+    return key.empty() ? Sentence(row.help)
+                       : Sentence("{0}\n{1}", row.help, Sentence("Key {0}", ProperName{key}));
 }
 
 } // namespace

@@ -20,7 +20,7 @@
 #include "app/ui/window/shortcuts.h"
 #include "app/ui/window/text_size.h"
 #include "app/ui/window/window_parts.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/lesson/example.h"
 #include "texplorer/scene/storage/scene_link.h"
 #include "texplorer/text/printable.h"
@@ -60,7 +60,7 @@ void resetEverything(Scene& scene) {
 }
 
 /// An item that does the same as the shortcut with this name.
-void shortcutItem(const Session& session, const Layout& layout, const std::string& name,
+void shortcutItem(const Session& session, const Layout& layout, const Sentence& name,
                   std::string_view shortcut, bool enabled = true, bool marked = false) {
     const Shortcut& row = shortcutOf(shortcut);
     if (menuItem(name, keysOf(session, shortcut), enabled, marked))
@@ -83,7 +83,7 @@ void lessonsItems(const Session& session) {
         const std::string count = fmt::format("{}/{}", progress.done, progress.steps);
         if (ImGui::MenuItem(fmt::format("{}###{}", each.title, each.name).c_str(), count.c_str(), isOpen))
             act(session, [name = each.name](Session& s) { askLesson(s, name); });
-        item("menu:lesson:" + each.name, each.about);
+        item("menu:lesson:" + each.name, ProperName{each.about});
     }
     ImGui::Separator();
     if (menuItem("Leave the lesson", {}, session.lesson.has_value()))
@@ -116,7 +116,7 @@ void recentItems(const Session& session) {
         ImGui::PushID(static_cast<int>(&file - settings.recentFiles.data()));
         if (fileItem(file))
             act(session, [file](Session& s) { requestOpen(s, {file}); });
-        helpTip(file.string());
+        helpTip(ProperName{file.string()});
         ImGui::PopID();
     }
     ImGui::Separator();
@@ -184,19 +184,19 @@ void resetItem(const Session& session) {
     const std::size_t count = changesBetween(document.saved, document.scene).size();
     if (menuItem(document.file.empty() ? "Reset to the start" : "Reset to the file", {}, count > 0))
         resetToSaved(session);
-    helpTip(count == 0
-                ? "The scene has not changed."
-                : Sentence("Reverts the changes of {0}. Undo restores them.", countOf(count, "setting")));
+    helpTip(count == 0 ? "The scene has not changed."
+                       : Sentence("Reverts the changes of {0}. Undo restores them.",
+                                  Sentence::plural("{0} setting", "{0} settings", count)));
 }
 
 void editItems(const Session& session, const Layout& layout) {
     const History& history = session.document.history;
-    const std::string_view undone = history.undoName();
-    const std::string_view redone = history.redoName();
-    shortcutItem(session, layout, undone.empty() ? std::string("Undo") : fmt::format("Undo {}", undone),
-                 "undo", history.canUndo());
-    shortcutItem(session, layout, redone.empty() ? std::string("Redo") : fmt::format("Redo {}", redone),
-                 "redo", history.canRedo());
+    const Sentence undone = history.undoName();
+    const Sentence redone = history.redoName();
+    shortcutItem(session, layout, undone.empty() ? "Undo" : Sentence("Undo {0}", undone), "undo",
+                 history.canUndo());
+    shortcutItem(session, layout, redone.empty() ? "Redo" : Sentence("Redo {0}", redone), "redo",
+                 history.canRedo());
     ImGui::Separator();
     if (menuItem("Copy as texshot command"))
         act(session, [layout](Session& s) { copyTexshotCommand(s, layout); });
@@ -239,10 +239,10 @@ void presentingItems(const Session& session, const Layout& layout) {
 /// A choice that OpenGL leaves open and the reference supports both ways; `title` has a placeholder for its
 /// label.
 template<Enumerated E>
-void methodItems(const Session& session, const char* title, E ViewSettings::*chosen) {
+void methodItems(const Session& session, Sentence::Key<std::string_view> title, E ViewSettings::*chosen) {
     for (const EnumRow& row : EnumTable<E>::rows) {
         const auto method = static_cast<E>(row.value);
-        if (menuChoice(fmt::format(fmt::runtime(title), row.label), session.view.*chosen == method))
+        if (menuChoice(Sentence(title, row.label), session.view.*chosen == method))
             act(session, [chosen, method](Session& changed) { changed.view.*chosen = method; });
         helpTip(row.help);
     }
@@ -284,21 +284,21 @@ void comfortItems(const Session& session, const Layout& layout) {
 void viewItems(const Session& session, const Layout& layout) {
     const auto shown = shownNow(session.document.scene);
     for (const ShowRow& row : showRows) {
-        if (menuChoice(fmt::format("Show {}", row.label), shown == row.show))
+        if (menuChoice(Sentence("Show {0}", row.label), shown == row.show))
             show(session, row, layout);
     }
     ImGui::Separator();
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
         const auto renderer = static_cast<RendererKind>(row.value);
         const bool chosen = !comparesRenderers(session.view) && session.view.renderer == renderer;
-        shortcutItem(session, layout, fmt::format("Drawn by: {}", row.label), shortcutNameOf(renderer),
+        shortcutItem(session, layout, Sentence("Drawn by: {0}", row.label), shortcutNameOf(renderer),
                      session.view.offered.has(renderer), chosen);
         helpTip(helpOf(session.view, row));
     }
     shortcutItem(session, layout, "Compare", "compare", canCompare(session.view),
                  comparesRenderers(session.view));
-    methodItems(session, "Anisotropy of the reference: {}", &ViewSettings::anisotropy);
-    methodItems(session, "rho of the reference: {}", &ViewSettings::rho);
+    methodItems(session, "Anisotropy of the reference: {0}", &ViewSettings::anisotropy);
+    methodItems(session, "rho of the reference: {0}", &ViewSettings::rho);
     ImGui::Separator();
     menuOf("Picture or false colours", [&] { shownItems(session); });
     shortcutItem(session, layout, "Magnifier", "magnifier", true, session.view.magnifies);

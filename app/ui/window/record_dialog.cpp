@@ -5,7 +5,7 @@
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/window/dialog_parts.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/scene/animation.h"
 
 #include <fmt/core.h>
@@ -97,7 +97,7 @@ void summary(const Session& session, const Result<Recording>& recording) {
         noteItem("record:still");
     } else {
         dimText(Sentence("{0}, drawn by the reference. The window stays usable meanwhile.",
-                         countOf(recording->pictures(), "picture")));
+                         Sentence::plural("{0} picture", "{0} pictures", recording->pictures())));
     }
     // The height does not depend on the text, so that the buttons stay in place.
     ImGui::SetCursorPos({from.x, from.y + ImGui::GetTextLineHeightWithSpacing() * 2.2F});

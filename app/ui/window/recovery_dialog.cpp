@@ -1,6 +1,7 @@
 // Unsaved work of a window that crashed.
 
 #include "app/ui/files/scene_files.h"
+#include "app/ui/language/translate.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/window/dialog_parts.h"
@@ -55,18 +56,19 @@ void drawRestore(const Session& session, const Pictures& pictures) {
         const std::filesystem::path& file = offer.draft->file;
         text(file.empty() ? "A scene had unsaved changes when its window closed unexpectedly."
                           : Sentence("{0} had unsaved changes when its window closed unexpectedly.",
-                                     printable(file.filename().string())));
+                                     ProperName{printable(file.filename().string())}));
         noteItem("restore:name");
         if (!file.empty())
             ImGui::TextDisabled("%s", printable(file.string()).c_str());
     } else {
         text("A window closed unexpectedly with unsaved changes, and their copy can't be read.");
-        text(printable(describe(offer.draft.error())), color::problem);
+        plainText(printable(tr(describe(offer.draft.error()))), color::problem);
         noteItem("restore:error");
     }
     ImGui::PopTextWrapPos();
     const std::size_t more = recovery.offers().size() - 1;
-    const std::string written = timeText(offer.written);
+    const std::string time = timeText(offer.written);
+    const ProperName written{time};
     dimText(more == 0 ? Sentence(written) : Sentence("{0} · {1} more after this", written, more));
     if (readable)
         drawPicture(session, pictures);

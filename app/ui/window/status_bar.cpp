@@ -8,10 +8,10 @@
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/window/window_parts.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/text/printable.h"
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -30,40 +30,42 @@ void cancelButton(const Session& session, std::string_view name, const Action& c
 void drawProgress(const Session& session, const ImageLoader::Progress& progress) {
     using Step = ImageLoader::Step;
     cancelButton(session, "cancel:load", [ticket = progress.ticket](Session& s) { cancelLoad(s, ticket); });
-    const std::string name = printable(progress.path.filename().string());
+    const std::string file = printable(progress.path.filename().string());
+    const ProperName name{file};
     if (progress.step == Step::Decoding)
         text(Sentence("Decoding {0}", name));
     else if (progress.fileBytes == 0)
         text(Sentence("Reading {0}", name));
     else
         text(Sentence("Reading {0} · {1} %", name, progress.bytesRead * 100 / progress.fileBytes));
-    item("loading", progress.path.string());
+    item("loading", ProperName{progress.path.string()});
 }
 
 /// The same for levels that are made from a loaded image.
 void drawProgress(const Session& session, const LevelsWorker::Progress& progress) {
     cancelButton(session, "cancel:levels",
                  [ticket = progress.ticket](Session& s) { workers(s).levels->cancel(ticket); });
-    const std::string what = printable(progress.what);
-    text(progress.done > 0
-             ? Sentence("Making the levels of {0} · {1} %", what, static_cast<int>(100 * progress.done))
-             : Sentence("Making the levels of {0}", what));
+    const auto percent = static_cast<int>(100 * progress.done);
+    plainText(
+        printable(tr(progress.done > 0 ? Sentence("Making the levels of {0} · {1} %", progress.what, percent)
+                                       : Sentence("Making the levels of {0}", progress.what))));
     item("making levels", "The previous picture stays until they are ready.");
 }
 
 /// The same for a file that is being written.
 void drawProgress(const Session& session, const FileProgress& progress) {
     cancelButton(session, "cancel:writing", [](Session& s) { workers(s).writing->cancel(); });
-    const std::string name = printable(progress.file.filename().string());
+    const std::string file = printable(progress.file.filename().string());
+    const ProperName name{file};
     const auto percent = static_cast<int>(100 * progress.share);
     if (progress.pictures > 0)
         text(Sentence("Drawing {0} · {1} of {2}", name, progress.picturesDrawn(),
-                      countOf(progress.pictures, "picture")));
+                      Sentence::plural("{0} picture", "{0} pictures", progress.pictures)));
     else if (percent > 0)
         text(Sentence("Writing {0} · {1} %", name, percent));
     else
         text(Sentence("Writing {0}", name));
-    item("writing file", printable(progress.file.string()));
+    item("writing file", ProperName{printable(progress.file.string())});
 }
 
 void drawNotice(const Session& session) {
@@ -90,69 +92,74 @@ void drawNotice(const Session& session) {
 void drawFinding(const Session& session, const Finding& finding, std::size_t count) {
     const float forSentence = ImGui::GetFontSize() * 12;
     for (const Fix& fix : finding.fixes) {
-        const float width = buttonWidth(fix.label.c_str()) + forSentence;
+        const float width = buttonWidth(fix.label) + forSentence;
         if (&fix != &finding.fixes.front() && ImGui::GetContentRegionAvail().x < width)
             break;
         if (ImGui::SmallButton(label(fix.label).c_str()))
             applyFix(session, fix);
-        item("fix:" + fix.label, assignmentsOf(fix));
+        item("fix:" + fix.label.english(), assignmentsOf(fix));
         ImGui::SameLine();
     }
-    const std::string sentence = sentenceOf(finding);
-    fittedText(count > 1 ? Sentence("1 of {0}: {1}", count, sentence) : Sentence(sentence), color::problem);
+    const Sentence sentence = shownSentence(finding.sentence);
+    fittedText(count > 1 ? Sentence("1 of {0}: {1}", count, sentence) : sentence, color::problem);
     noteItem("finding");
     if (ImGui::IsItemHovered())
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    helpTip(Sentence("{0}\n{1}\n{2}", finding.path, sentence, "Click: show the setting"));
+    helpTip(Sentence("{0}\n{1}\n{2}", ProperName{finding.path}, sentence, "Click: show the setting"));
     if (ImGui::IsItemClicked())
         act(session, [path = finding.path](Session& s) { reveal(s, path); });
 }
 
 /// "llvmpipe · pretending: no-s3tc · 583 × 682 · 3.1 ms"
-std::string factsOf(std::span<const ViewFrame> frames, const view::Capabilities& capabilities,
-                    bool showsTime) {
+Sentence factsOf(std::span<const ViewFrame> frames, const view::Capabilities& capabilities, bool showsTime) {
     const ViewFrame& first = frames.front();
     const bool onlyReference = frames.size() == 1 && first.renderer == RendererKind::Reference;
     // "llvmpipe (LLVM 15.0.6, 256 bits)": the name is enough here, the tooltip has the rest.
-    std::string facts = onlyReference ? std::string(rowOf(first.renderer).label)
-                                      : capabilities.renderer.substr(0, capabilities.renderer.find(" ("));
+    std::vector<Sentence> facts{
+        onlyReference
+            ? Sentence(rowOf(first.renderer).label)
+            : ProperName{
+                  std::string_view(capabilities.renderer).substr(0, capabilities.renderer.find(" ("))}};
     if (!onlyReference && !capabilities.pretending.empty())
-        facts += " · " + fmt::format("pretending: {}", capabilities.pretending);
-    facts += fmt::format(" · {} × {}", first.frame.size.width, first.frame.size.height);
-    if (!showsTime)
-        return facts;
-    for (const ViewFrame& view : frames)
-        facts += " · " + (view.whole ? fmt::format("{:.1f} ms", view.frame.milliseconds) : "still drawing");
-    return facts;
+        facts.push_back(Sentence("pretending: {0}", ProperName{capabilities.pretending}));
+    facts.emplace_back(ProperName{fmt::format("{} × {}", first.frame.size.width, first.frame.size.height)});
+    for (const ViewFrame& view : frames) {
+        if (showsTime)
+            facts.push_back(view.whole ? Sentence("{0:.1f} ms", view.frame.milliseconds) : "still drawing");
+    }
+    return Sentence::joined("{0} · {1}", facts);
 }
 
 /// The host's driver, and what it lacks.
-std::string hostText(const view::Capabilities& capabilities, const view::OfferedRenderers& offered) {
-    std::string text = "No OpenGL";
-    if (!capabilities.version.empty()) {
-        text = fmt::format("{}\n{}\n", capabilities.vendor, capabilities.renderer);
-        text += fmt::format("OpenGL {}", capabilities.version) + "\n";
-        text += fmt::format("Textures up to {} texels wide", capabilities.maxTextureSize);
+Sentence hostText(const view::Capabilities& capabilities, const view::OfferedRenderers& offered) {
+    std::vector<Sentence> lines;
+    if (capabilities.version.empty()) {
+        lines.push_back("No OpenGL");
+    } else {
+        lines = {ProperName{capabilities.vendor}, ProperName{capabilities.renderer},
+                 Sentence("OpenGL {0}", ProperName{capabilities.version}),
+                 Sentence("Textures up to {0} texels wide", capabilities.maxTextureSize)};
         if (offered.has(RendererKind::Fixed))
-            text += "\n" + countOf(capabilities.textureUnits, "texture unit");
+            lines.push_back(
+                Sentence::plural("{0} texture unit", "{0} texture units", capabilities.textureUnits));
     }
     if (!capabilities.pretending.empty())
-        text += "\n" + fmt::format("Pretending: {}", capabilities.pretending);
+        lines.push_back(Sentence("Pretending: {0}", ProperName{capabilities.pretending}));
     for (const EnumRow& row : EnumTable<RendererKind>::rows) {
-        const std::string& reason = offered.whyNot(static_cast<RendererKind>(row.value));
+        const auto& reason = offered.whyNot(static_cast<RendererKind>(row.value));
         if (!reason.empty())
-            text += "\n" + fmt::format("No {}: {}", row.label, reason);
+            lines.push_back(Sentence("No {0}: {1}", row.label, reason));
     }
-    return text;
+    return Sentence::joined("{0}\n{1}", lines);
 }
 
 /// The problems of the renderers.
-void drawProblems(std::span<const std::string> problems) {
-    const std::string& first = problems.front();
-    fittedText(problems.size() > 1 ? Sentence("1 of {0}: {1}", problems.size(), first) : Sentence(first),
+void drawProblems(std::span<const Sentence> problems) {
+    const Sentence& first = problems.front();
+    fittedText(problems.size() > 1 ? Sentence("1 of {0}: {1}", problems.size(), first) : first,
                color::problem);
     noteItem("problem");
-    helpTip(fmt::format("{}", fmt::join(problems, "\n")));
+    helpTip(Sentence::joined("{0}\n{1}", problems));
 }
 
 /// The most important message: problems go before the result of a probed pixel.
@@ -172,7 +179,7 @@ void drawNews(const Session& session, const Pictures& pictures) {
         drawFinding(session, findings.front(), wrong);
     else if (!pictures.problems.empty())
         drawProblems(pictures.problems);
-    else if (const std::string consequence = consequenceOf(session); !consequence.empty()) {
+    else if (const Sentence consequence = consequenceOf(session); !consequence.empty()) {
         fittedText(consequence, color::text);
         item("consequence", consequence);
     } else {
@@ -186,7 +193,8 @@ void drawHint(const Hint& said, float from, float room) {
     if (said.words.empty())
         return;
     ImGui::SameLine(from);
-    plainText(fitted(printable(said.words), room), said.isProblem ? color::problem : color::text);
+    plainText(fitted(ProperName{printable(tr(said.words))}, room),
+              said.isProblem ? color::problem : color::text);
     noteItem("hint");
 }
 

@@ -4,7 +4,6 @@
 #include "app/ui/files/inspected_file.h"
 #include "app/ui/files/lessons.h"
 #include "app/ui/files/unsaved_work.h"
-#include "app/ui/language/translate.h"
 #include "app/ui/model/explaining.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/level_edits.h"
@@ -125,8 +124,6 @@ DriverFacts factsFor(const Session& session, const view::Capabilities& capabilit
 /// open.
 bool beginFrame(Session& session, PanelStates& states, const Layout& layout) {
     forgetPlaces();
-    if (catalogueInUse())
-        keepNames(namesIn(session.document));
     session.out.keyTaken = false;
     session.out.movesVertices = false;
     // A key that closes it is not a shortcut as well; Dear ImGui may have closed it before this frame began.

@@ -1,13 +1,11 @@
 #include "texplorer/codec/bmp/bmp.h"
 
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/codec/bmp/bmp_bitfields.h"
 #include "texplorer/codec/bmp/bmp_header.h"
 #include "texplorer/codec/bmp/bmp_palette.h"
 #include "texplorer/codec/bmp/bmp_rle.h"
 #include "texplorer/codec/common/swizzle.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <bit>
@@ -31,7 +29,7 @@ Result<Image> imageFor(const Header& header, PixelFormat format, const DecodeLim
                                 static_cast<std::uint64_t>(bytesPerPixel(format));
     if (bytes > limits.maxBytes)
         return bmp::tooLarge(Sentence("at most {0} of pixels are read, the picture has {1}",
-                                      countOf(limits.maxBytes, "byte"), bytes));
+                                      Sentence::plural("{0} byte", "{0} bytes", limits.maxBytes), bytes));
     Image image{format, static_cast<int>(header.width), static_cast<int>(header.height), 1, {}};
     if (limits.pixels)
         image.pixels.resize(image.byteCount());
@@ -113,7 +111,8 @@ Result<void> checkRleClaim(ByteView codes, const Header& header) {
     if (pixels <= maxPixels)
         return {};
     return bmp::malformed(Sentence("{0} of run-length codes make at most {1} pixels, the file has {2}",
-                                   countOf(codes.size(), "byte"), maxPixels, pixels));
+                                   Sentence::plural("{0} byte", "{0} bytes", codes.size()), maxPixels,
+                                   pixels));
 }
 
 Result<void> paintRle(ByteView codes, Header& header, bmp::Palette& palette, Image& image) {
@@ -126,13 +125,14 @@ Result<void> paintRle(ByteView codes, Header& header, bmp::Palette& palette, Ima
             "the run-length codes end at offset {0} within row {1} of {2}, without an end-of-picture code",
             header.dataPos + report.consumed, report.row + 1, image.height));
     if (report.clipped > 0)
-        header.notes.push_back(fmt::format("{} continued beyond the end of a row and ended there",
-                                           countOf(report.clipped, "run-length code")));
+        header.notes.push_back(
+            Sentence("{0} continued beyond the end of a row and ended there",
+                     Sentence::plural("{0} run-length code", "{0} run-length codes", report.clipped)));
     const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     if (report.painted < pixels)
         header.remarks.push_back(
-            fmt::format("the run-length codes skip {}; these have the palette's first colour",
-                        countOf(pixels - report.painted, "pixel")));
+            Sentence("the run-length codes skip {0}; these have the palette's first colour",
+                     Sentence::plural("{0} pixel", "{0} pixels", pixels - report.painted)));
     if (header.topDown)
         header.notes.emplace_back("run-length coded pictures should not be top-down");
     return {};
@@ -195,8 +195,8 @@ Result<Image> decodeIndexed(ByteView file, Header& header, const DecodeLimits& l
         paintIndexed(data, header, palette, *image);
     }
     if (palette.exceeded())
-        header.notes.push_back(fmt::format("a pixel has colour {}, the palette has {}; it is black",
-                                           palette.highest(), header.paletteEntries));
+        header.notes.push_back(Sentence("a pixel has colour {0}, the palette has {1}; it is black",
+                                        palette.highest(), header.paletteEntries));
     return image;
 }
 

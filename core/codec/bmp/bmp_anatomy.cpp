@@ -1,11 +1,9 @@
 #include "texplorer/base/byte_reader.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/codec/bmp/bmp.h"
 #include "texplorer/codec/bmp/bmp_fields.h"
 #include "texplorer/codec/bmp/bmp_header.h"
 #include "texplorer/codec/bmp/bmp_rle.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -35,8 +33,8 @@ public:
                 "size and pixel format");
         fields(bmp::infoHeaderFields(header_.headerSize), bmp::fileHeaderSize + infoSize);
         if (infoSize == 4)
-            stop(fmt::format(
-                "an info header has 12, 16 to 64, 108 or 124 bytes, this one has {}: the rest is unknown",
+            stop(Sentence(
+                "an info header has 12, 16 to 64, 108 or 124 bytes, this one has {0}: the rest is unknown",
                 header_.headerSize));
         if (stopped())
             return std::move(anatomy_);
@@ -52,22 +50,27 @@ public:
 private:
     [[nodiscard]] bool stopped() const { return !anatomy_.damage.empty(); }
 
-    void stop(std::string damage) {
+    void stop(Sentence damage) {
         if (!stopped())
             anatomy_.damage = std::move(damage);
     }
 
     void add(Field field) {
         if (field.offset + field.size > file_.size())
-            stop(fmt::format("{} needs {} from offset {}, the file has {}", field.name,
-                             countOf(field.size, "byte"), field.offset, file_.size()));
+            stop(Sentence("{0} needs {1} from offset {2}, the file has {3}", field.name,
+                          Sentence::plural("{0} byte", "{0} bytes", field.size), field.offset, file_.size()));
         anatomy_.fields.push_back(std::move(field));
     }
 
-    void section(std::string name, std::uint64_t offset, std::uint64_t size, std::string meaning) {
+    void section(Sentence name, std::uint64_t offset, std::uint64_t size, Sentence meaning) {
         // Its fields say exactly where the file ends.
-        anatomy_.fields.push_back(
-            {offset, size, std::move(name), countOf(size, "byte"), std::move(meaning), {}, 0});
+        anatomy_.fields.push_back({offset,
+                                   size,
+                                   std::move(name),
+                                   Sentence::plural("{0} byte", "{0} bytes", size),
+                                   std::move(meaning),
+                                   {},
+                                   0});
     }
 
     void fields(std::span<const bmp::FieldRow> rows, std::uint64_t end) {
@@ -76,9 +79,8 @@ private:
                 return;
             const bmp::FieldContext context{file_, header_};
             const bool there = row.offset + row.size <= file_.size();
-            add({row.offset, row.size, std::string(row.name),
-                 there ? bmp::valueOf(row, context) : std::string(), std::string(row.meaning),
-                 there ? bmp::wrongOf(row, context) : std::string(), 1});
+            add({row.offset, row.size, std::string(row.name), there ? bmp::valueOf(row, context) : Sentence(),
+                 std::string(row.meaning), there ? bmp::wrongOf(row, context) : Sentence(), 1});
         }
     }
 
@@ -94,22 +96,22 @@ private:
     void palette() {
         if (stopped() || header_.paletteEntries == 0) {
             if (!stopped() && header_.bitsPerPixel >= 1 && header_.bitsPerPixel <= 8)
-                anatomy_.fields.push_back({header_.palettePos, 0, "Palette", "no entries", "",
-                                           fmt::format("{} a pixel need one, the pixels begin at offset {}",
-                                                       countOf(header_.bitsPerPixel, "bit"), header_.dataPos),
-                                           0});
+                anatomy_.fields.push_back(
+                    {header_.palettePos, 0, "Palette", "no entries", "",
+                     Sentence("{0} a pixel need one, the pixels begin at offset {1}",
+                              Sentence::plural("{0} bit", "{0} bits", header_.bitsPerPixel), header_.dataPos),
+                     0});
             return;
         }
         const std::size_t entries = header_.paletteEntries;
         const std::size_t size = entries * header_.paletteEntryBytes;
         const std::size_t max = std::size_t{1} << std::min(header_.bitsPerPixel, 8U);
-        std::string wrong;
+        Sentence wrong;
         if (header_.bitsPerPixel <= 8 && entries < max && header_.colorsUsed != entries)
-            wrong = fmt::format("expected {} entries, but there is space for {}",
-                                header_.colorsUsed == 0 ? max : header_.colorsUsed, entries);
+            wrong = Sentence("expected {0} entries, but there is space for {1}",
+                             header_.colorsUsed == 0 ? max : header_.colorsUsed, entries);
         anatomy_.fields.push_back(
-            {header_.palettePos, size, "Palette",
-             entries == 1 ? "1 entry" : fmt::format("{} entries", entries),
+            {header_.palettePos, size, "Palette", Sentence::plural("{0} entry", "{0} entries", entries),
              header_.paletteEntryBytes == 3 ? "blue, green, red" : "blue, green, red, a reserved byte",
              std::move(wrong), 0});
         // A palette of 256 says little more than its beginning and its end do.
@@ -122,7 +124,7 @@ private:
         paletteEntries(0, shown);
         const std::size_t left = entries - shown - 1;
         add({entryOffset(shown), left * header_.paletteEntryBytes,
-             fmt::format("entries {} to {}", shown, entries - 2), fmt::format("{} more", left), "", "", 1});
+             Sentence("entries {0} to {1}", shown, entries - 2), Sentence("{0} more", left), "", "", 1});
         paletteEntries(entries - 1, entries);
     }
 
@@ -133,7 +135,7 @@ private:
     void paletteEntries(std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const ByteView entry = partOf(file_, entryOffset(i), header_.paletteEntryBytes);
-            add({entryOffset(i), entry.size(), fmt::format("entry {}", i),
+            add({entryOffset(i), entry.size(), Sentence("entry {0}", i),
                  bmp::hexColor(entry[2], entry[1], entry[0]), "", "", 1});
         }
     }
@@ -142,7 +144,8 @@ private:
         const std::uint64_t begin = header_.palettePos + header_.paletteEntries * header_.paletteEntryBytes;
         if (stopped() || header_.dataPos <= begin)
             return;
-        add({begin, header_.dataPos - begin, "Gap", countOf(header_.dataPos - begin, "byte"),
+        add({begin, header_.dataPos - begin, "Gap",
+             Sentence::plural("{0} byte", "{0} bytes", header_.dataPos - begin),
              "not used; the pixels begin after it", "", 0});
     }
 
@@ -150,14 +153,14 @@ private:
         if (stopped())
             return;
         if (header_.dataPos < header_.palettePos)
-            return stop(fmt::format("the pixels begin at offset {}, within the headers, which end at {}",
-                                    header_.dataPos, header_.palettePos));
+            return stop(Sentence("the pixels begin at offset {0}, within the headers, which end at {1}",
+                                 header_.dataPos, header_.palettePos));
         if (header_.dataPos > file_.size())
-            return stop(fmt::format("the pixels begin at offset {}, the file has {}", header_.dataPos,
-                                    countOf(file_.size(), "byte")));
+            return stop(Sentence("the pixels begin at offset {0}, the file has {1}", header_.dataPos,
+                                 Sentence::plural("{0} byte", "{0} bytes", file_.size())));
         if (header_.width < 1 || header_.height < 1)
-            return stop(fmt::format("a picture has at least 1 × 1 pixels, this one has {} × {}",
-                                    header_.width, header_.height));
+            return stop(Sentence("a picture has at least 1 × 1 pixels, this one has {0} × {1}", header_.width,
+                                 header_.height));
         if (header_.runLengthCoded())
             return runLengthCodes();
         const bool raw = header_.compression == 0 || header_.masksPos != 0;
@@ -169,13 +172,14 @@ private:
         }
         if (header_.bitsPerPixel < 1)
             return stop("a pixel has at least one bit, this file has 0");
-        const std::string order = header_.topDown ? "top row first" : "bottom row first";
+        const char* order = header_.topDown ? "top row first" : "bottom row first";
         pixelData(header_.pixelBytes(),
-                  fmt::format("{} rows of {}", header_.height, countOf(header_.rowBytes(), "byte")),
-                  fmt::format("{}, each padded to {} bytes", order, header_.rowStride()));
+                  Sentence("{0} rows of {1}", header_.height,
+                           Sentence::plural("{0} byte", "{0} bytes", header_.rowBytes())),
+                  Sentence("{0}, each padded to {1} bytes", order, header_.rowStride()));
     }
 
-    void pixelData(std::uint64_t size, std::string value, std::string meaning, std::string wrong = {}) {
+    void pixelData(std::uint64_t size, Sentence value, Sentence meaning, Sentence wrong = {}) {
         pixelEnd_ = header_.dataPos + size;
         add({header_.dataPos, size, "Pixel data", std::move(value), std::move(meaning), std::move(wrong), 0});
     }
@@ -186,25 +190,28 @@ private:
         } nowhere;
         constexpr std::int64_t max = DecodeLimits{}.maxExtent; // following codes costs what painting does
         if (header_.width > max || header_.height > max)
-            return stop(fmt::format(
-                "run-length codes are decoded up to {} pixels along each axis, this picture has {} × {}", max,
-                header_.width, header_.height));
+            return stop(Sentence(
+                "run-length codes are decoded up to {0} pixels along each axis, this picture has {1} × {2}",
+                max, header_.width, header_.height));
         const bmp::RleReport report =
             bmp::decodeRle(partOf(file_, header_.dataPos, file_.size()),
                            header_.compression == static_cast<std::uint32_t>(bmp::Compression::Rle8) ? 8 : 4,
                            static_cast<int>(header_.width), static_cast<int>(header_.height), nowhere);
-        std::string wrong;
+        Sentence wrong;
         if (report.clipped > 0)
-            wrong = fmt::format("{} continue beyond the end of a row", countOf(report.clipped, "code"));
+            wrong = Sentence("{0} continue beyond the end of a row",
+                             Sentence::plural("{0} code", "{0} codes", report.clipped));
         pixelData(report.consumed,
-                  fmt::format("{}: {}, {}, {}", bmp::compressionName(header_.compression, header_.headerSize),
-                              countOf(report.runs, "run"), countOf(report.literals, "literal"),
-                              countOf(report.deltas, "delta")),
-                  fmt::format("they set {} of {} pixels", report.painted, header_.width * header_.height),
+                  Sentence("{0}: {1}, {2}, {3}",
+                           bmp::compressionName(header_.compression, header_.headerSize),
+                           Sentence::plural("{0} run", "{0} runs", report.runs),
+                           Sentence::plural("{0} literal", "{0} literals", report.literals),
+                           Sentence::plural("{0} delta", "{0} deltas", report.deltas)),
+                  Sentence("they set {0} of {1} pixels", report.painted, header_.width * header_.height),
                   std::move(wrong));
         if (!report.ended)
-            stop(fmt::format(
-                "the run-length codes end at offset {} within row {} of {}, without an end-of-picture code",
+            stop(Sentence(
+                "the run-length codes end at offset {0} within row {1} of {2}, without an end-of-picture code",
                 pixelEnd_, report.row + 1, header_.height));
     }
 
@@ -216,9 +223,10 @@ private:
         const std::uint64_t size = reader.u32();
         if (size == 0 || offset == bmp::fileHeaderSize)
             return;
-        add({offset, size, "Colour profile", countOf(size, "byte"), "ICC profile or its file name; not used",
-             offset < pixelEnd_ ? fmt::format("begins before the pixels end, at offset {}", pixelEnd_)
-                                : std::string(),
+        add({offset, size, "Colour profile", Sentence::plural("{0} byte", "{0} bytes", size),
+             "ICC profile or its file name; not used",
+             offset < pixelEnd_ ? Sentence("begins before the pixels end, at offset {0}", pixelEnd_)
+                                : Sentence(),
              0});
         pixelEnd_ = std::max(pixelEnd_, offset + size);
     }
@@ -229,7 +237,8 @@ private:
             (pixelEnd_ - header_.dataPos + 3) / 4 * 4 + header_.dataPos, file_.size());
         if (stopped() || end >= file_.size())
             return;
-        add({end, file_.size() - end, "Tail", countOf(file_.size() - end, "byte"), "not used", "", 0});
+        add({end, file_.size() - end, "Tail", Sentence::plural("{0} byte", "{0} bytes", file_.size() - end),
+             "not used", "", 0});
     }
 
     ByteView file_;

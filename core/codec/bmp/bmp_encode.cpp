@@ -5,8 +5,6 @@
 #include "texplorer/codec/common/write_options.h"
 #include "texplorer/s3tc/surface_pixels.h"
 
-#include <fmt/core.h>
-
 #include <cstring>
 #include <limits>
 #include <new>

@@ -1,7 +1,7 @@
 #include "texplorer/codec/bmp/bmp_fields.h"
 
 #include "texplorer/base/byte_reader.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/codec/bmp/bmp_bitfields.h"
 #include "texplorer/text/word.h"
 
@@ -15,50 +15,52 @@ namespace texplorer::bmp {
 
 namespace {
 
-std::string checkMagic(std::int64_t value, const FieldContext& /*context*/) {
+Sentence checkMagic(std::int64_t value, const FieldContext& /*context*/) {
     return value == ('B' | 'M' << 8) ? "" : "expected \"BM\"";
 }
 
-std::string checkFileSize(std::int64_t value, const FieldContext& context) {
+Sentence checkFileSize(std::int64_t value, const FieldContext& context) {
     const auto size = static_cast<std::int64_t>(context.file.size());
-    return value == size ? "" : fmt::format("the file has {}", countOf(context.file.size(), "byte"));
+    return value == size
+               ? ""
+               : Sentence("the file has {0}", Sentence::plural("{0} byte", "{0} bytes", context.file.size()));
 }
 
-std::string checkZero(std::int64_t value, const FieldContext& /*context*/) {
+Sentence checkZero(std::int64_t value, const FieldContext& /*context*/) {
     return value == 0 ? "" : "expected 0";
 }
 
-std::string checkDataPos(std::int64_t value, const FieldContext& context) {
+Sentence checkDataPos(std::int64_t value, const FieldContext& context) {
     if (value == 0)
-        return fmt::format("expected {}, which is used instead", context.header.dataPos);
+        return Sentence("expected {0}, which is used instead", context.header.dataPos);
     if (value < static_cast<std::int64_t>(context.header.palettePos))
-        return fmt::format("lies within the headers, which end at {}", context.header.palettePos);
+        return Sentence("lies within the headers, which end at {0}", context.header.palettePos);
     if (value > static_cast<std::int64_t>(context.file.size()))
-        return fmt::format("the file has {}", countOf(context.file.size(), "byte"));
+        return Sentence("the file has {0}", Sentence::plural("{0} byte", "{0} bytes", context.file.size()));
     return {};
 }
 
-std::string checkHeaderSize(std::int64_t value, const FieldContext& /*context*/) {
+Sentence checkHeaderSize(std::int64_t value, const FieldContext& /*context*/) {
     return headerKind(static_cast<std::uint32_t>(value)) == HeaderKind::Unknown
                ? "expected 12, 16 to 64, 108 or 124"
                : "";
 }
 
-std::string checkWidth(std::int64_t value, const FieldContext& /*context*/) {
+Sentence checkWidth(std::int64_t value, const FieldContext& /*context*/) {
     return value >= 1 ? "" : "expected at least 1";
 }
 
-std::string checkHeight(std::int64_t value, const FieldContext& context) {
+Sentence checkHeight(std::int64_t value, const FieldContext& context) {
     if (value == 0)
         return "expected at least 1, or at most -1 for the top row first";
     return value < 0 && context.header.runLengthCoded() ? "run-length codes should not be top-down" : "";
 }
 
-std::string checkPlanes(std::int64_t value, const FieldContext& /*context*/) {
+Sentence checkPlanes(std::int64_t value, const FieldContext& /*context*/) {
     return value == 1 ? "" : "expected 1";
 }
 
-std::string checkBits(std::int64_t value, const FieldContext& context) {
+Sentence checkBits(std::int64_t value, const FieldContext& context) {
     const auto compression = static_cast<Compression>(context.header.compression);
     if (value == 0 && (compression == Compression::Jpeg || compression == Compression::Png))
         return {};
@@ -66,23 +68,22 @@ std::string checkBits(std::int64_t value, const FieldContext& context) {
     return std::ranges::find(known, value) == known.end() ? "expected 1, 4, 8, 16, 24 or 32" : "";
 }
 
-std::string checkCompression(std::int64_t value, const FieldContext& context) {
+Sentence checkCompression(std::int64_t value, const FieldContext& context) {
     const unsigned bits = context.header.bitsPerPixel;
     if (value > 6)
         return value >= 11 && value <= 13 ? "" : "expected 0 to 6";
     if (value == 1 && bits != 8)
-        return fmt::format("needs 8 bits a pixel, the file has {}", bits);
+        return Sentence("needs 8 bits a pixel, the file has {0}", bits);
     if (value == 2 && bits != 4)
-        return fmt::format("needs 4 bits a pixel, the file has {}", bits);
+        return Sentence("needs 4 bits a pixel, the file has {0}", bits);
     const bool masks =
         (value == 3 || value == 6) && headerKind(context.header.headerSize) != HeaderKind::Os22;
-    return masks && bits != 16 && bits != 32
-               ? fmt::format("needs 16 or 32 bits a pixel, the file has {}", bits)
-               : "";
+    return masks && bits != 16 && bits != 32 ? Sentence("needs 16 or 32 bits a pixel, the file has {0}", bits)
+                                             : "";
 }
 
 // 0 is fine for uncompressed pixels; many writers leave it out, and some count without the padding.
-std::string checkImageSize(std::int64_t value, const FieldContext& context) {
+Sentence checkImageSize(std::int64_t value, const FieldContext& context) {
     const Header& header = context.header;
     const bool raw = header.compression == 0 || header.masksPos != 0;
     if (!raw || value == 0 || header.width < 1 || header.height < 1 || header.bitsPerPixel < 1)
@@ -90,22 +91,23 @@ std::string checkImageSize(std::int64_t value, const FieldContext& context) {
     const std::uint64_t needed = header.pixelBytes() + header.rowStride() - header.rowBytes();
     return static_cast<std::uint64_t>(value) == needed
                ? ""
-               : fmt::format("the pixels need {}", countOf(needed, "byte"));
+               : Sentence("the pixels need {0}", Sentence::plural("{0} byte", "{0} bytes", needed));
 }
 
-std::string checkColorsUsed(std::int64_t value, const FieldContext& context) {
+Sentence checkColorsUsed(std::int64_t value, const FieldContext& context) {
     const unsigned bits = context.header.bitsPerPixel;
     if (bits < 1 || bits > 8 || value <= std::int64_t{1} << bits)
         return {};
-    return fmt::format("{} a pixel can index {} entries", countOf(bits, "bit"), 1 << bits);
+    return Sentence("{0} a pixel can index {1} entries", Sentence::plural("{0} bit", "{0} bits", bits),
+                    1 << bits);
 }
 
-std::string checkColorsImportant(std::int64_t value, const FieldContext& context) {
+Sentence checkColorsImportant(std::int64_t value, const FieldContext& context) {
     const std::int64_t used = context.header.colorsUsed;
-    return used != 0 && value > used ? fmt::format("more than the {} available", used) : "";
+    return used != 0 && value > used ? Sentence("more than the {0} available", used) : "";
 }
 
-std::string checkMask(std::int64_t value, const FieldContext& context) {
+Sentence checkMask(std::int64_t value, const FieldContext& context) {
     const auto mask = static_cast<std::uint32_t>(value);
     if (context.header.masksPos == 0)
         return {}; // not used
@@ -208,12 +210,11 @@ std::uint32_t numberOf(const FieldRow& row, ByteView file) {
 }
 
 // A mask's width and place: "0x0000f800, 5 bits from bit 11".
-std::string maskText(std::uint32_t mask) {
-    std::string text = fmt::format("0x{:08x}", mask);
-    if (mask != 0)
-        text += fmt::format(", {} from bit {}", countOf(static_cast<std::size_t>(std::popcount(mask)), "bit"),
-                            std::countr_zero(mask));
-    return text;
+Sentence maskText(std::uint32_t mask) {
+    if (mask == 0)
+        return "0x00000000";
+    return Sentence("0x{0:08x}, {1} from bit {2}", mask,
+                    Sentence::plural("{0} bit", "{0} bits", std::popcount(mask)), std::countr_zero(mask));
 }
 
 std::string letters(ByteView bytes, bool reversed) {
@@ -250,7 +251,7 @@ std::span<const FieldRow> maskFields() {
     return behindFields;
 }
 
-std::string valueOf(const FieldRow& row, const FieldContext& context) {
+Sentence valueOf(const FieldRow& row, const FieldContext& context) {
     const std::uint32_t value = numberOf(row, context.file);
     const double fixed = static_cast<std::int32_t>(value);
     switch (row.show) {
@@ -261,7 +262,7 @@ std::string valueOf(const FieldRow& row, const FieldContext& context) {
     case Show::Signed:
         return std::to_string(static_cast<std::int32_t>(value));
     case Show::Compression:
-        return fmt::format("{}, {}", value, compressionName(value, context.header.headerSize));
+        return Sentence("{0}, {1}", value, compressionName(value, context.header.headerSize));
     case Show::Mask:
         return maskText(value);
     case Show::ColorSpace: // a number, or four letters that stand last one first
@@ -274,7 +275,7 @@ std::string valueOf(const FieldRow& row, const FieldContext& context) {
     return {};
 }
 
-std::string wrongOf(const FieldRow& row, const FieldContext& context) {
+Sentence wrongOf(const FieldRow& row, const FieldContext& context) {
     if (!row.check)
         return {};
     const std::uint32_t value = numberOf(row, context.file);

@@ -2,6 +2,7 @@
 
 // The fields of BMP headers as tables, for the anatomy. Private to the BMP codec.
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/codec/bmp/bmp_header.h"
 
 #include <cstddef>
@@ -26,7 +27,7 @@ struct FieldRow {
     std::string_view meaning;
     Show show = Show::Number;
     /// Returns what is wrong with the value, or an empty text. nullptr: every value is valid.
-    std::string (*check)(std::int64_t value, const FieldContext& context) = nullptr;
+    Sentence (*check)(std::int64_t value, const FieldContext& context) = nullptr;
 };
 
 [[nodiscard]] std::span<const FieldRow> fileHeaderFields();
@@ -36,8 +37,8 @@ struct FieldRow {
 /// The masks that follow a header of 40 bytes.
 [[nodiscard]] std::span<const FieldRow> maskFields();
 
-[[nodiscard]] std::string valueOf(const FieldRow& row, const FieldContext& context);
-[[nodiscard]] std::string wrongOf(const FieldRow& row, const FieldContext& context);
+[[nodiscard]] Sentence valueOf(const FieldRow& row, const FieldContext& context);
+[[nodiscard]] Sentence wrongOf(const FieldRow& row, const FieldContext& context);
 
 /// "#ff8000"
 [[nodiscard]] std::string hexColor(std::byte red, std::byte green, std::byte blue);

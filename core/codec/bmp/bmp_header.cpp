@@ -1,9 +1,7 @@
 #include "texplorer/codec/bmp/bmp_header.h"
 
 #include "texplorer/base/byte_reader.h"
-#include "texplorer/base/count.h"
-
-#include <fmt/core.h>
+#include "texplorer/base/sentence.h"
 
 #include <algorithm>
 
@@ -81,13 +79,13 @@ void placePalette(ByteView file, Header& header) {
         claimed = maxEntries;
     if (claimed > maxEntries) {
         header.notes.push_back(
-            fmt::format("the header has {} palette entries, but only {} can be used", claimed, maxEntries));
+            Sentence("the header has {0} palette entries, but only {1} can be used", claimed, maxEntries));
         claimed = needed ? maxEntries : 0;
     }
     if (header.dataPos == 0) {
         header.dataPos = header.palettePos + claimed * header.paletteEntryBytes;
-        header.notes.emplace_back(fmt::format(
-            "the header does not give the offset of the pixels; offset {}, after the preceding data, is "
+        header.notes.emplace_back(Sentence(
+            "the header does not give the offset of the pixels; offset {0}, after the preceding data, is "
             "used",
             header.dataPos));
     }
@@ -103,7 +101,7 @@ Result<void> checkCompression(const Header& header) {
         return malformed(Sentence("{0} needs {1} bits a pixel, the file has {2}",
                                   compressionName(header.compression, header.headerSize), which, bits));
     };
-    const std::string name = compressionName(header.compression, header.headerSize);
+    const Sentence name = compressionName(header.compression, header.headerSize);
     if (headerKind(header.headerSize) == HeaderKind::Os22 && header.compression > 2)
         return unsupported(Sentence(
             "only uncompressed and RLE pixels of OS/2 files are read, this file's compression is {0}", name));
@@ -132,7 +130,7 @@ Result<void> checkCompression(const Header& header) {
 }
 
 Result<void> checkExtents(const Header& header, const DecodeLimits& limits) {
-    const std::string extents = fmt::format("{} × {} pixels", header.width, header.height);
+    const Sentence extents("{0} × {1} pixels", header.width, header.height);
     if (header.width < 1 || header.height < 1)
         return malformed(Sentence("a picture has at least 1 × 1 pixels, this one has {0}", extents));
     if (header.width > limits.maxExtent || header.height > limits.maxExtent)
@@ -140,8 +138,8 @@ Result<void> checkExtents(const Header& header, const DecodeLimits& limits) {
             Sentence("at most {0} × {0} pixels are read, the file has {1}", limits.maxExtent, extents));
     const auto pixels = static_cast<std::uint64_t>(header.width) * static_cast<std::uint64_t>(header.height);
     if (pixels > limits.maxPixels)
-        return tooLarge(
-            Sentence("at most {0} are read, the file has {1}", countOf(limits.maxPixels, "pixel"), extents));
+        return tooLarge(Sentence("at most {0} are read, the file has {1}",
+                                 Sentence::plural("{0} pixel", "{0} pixels", limits.maxPixels), extents));
     return {};
 }
 
@@ -151,15 +149,16 @@ Result<void> checkPlaces(const Header& header, ByteView file) {
                                   header.dataPos, header.palettePos));
     if (header.dataPos > file.size())
         return malformed(Sentence("pixel data begins at offset {0}, the file has {1}", header.dataPos,
-                                  countOf(file.size(), "byte")));
+                                  Sentence::plural("{0} byte", "{0} bytes", file.size())));
     if (!header.runLengthCoded() && header.pixelBytes() > file.size() - header.dataPos)
         return malformed(Sentence("pixel data needs {0} from offset {1}, the file has {2}",
-                                  countOf(header.pixelBytes(), "byte"), header.dataPos, file.size()));
+                                  Sentence::plural("{0} byte", "{0} bytes", header.pixelBytes()),
+                                  header.dataPos, file.size()));
     if (header.bitsPerPixel <= 8 && header.paletteEntries == 0)
-        return malformed(
-            Sentence("{0} a pixel need a palette, but there is none between offset {1} and the pixels at "
-                     "{2}",
-                     countOf(header.bitsPerPixel, "bit"), header.palettePos, header.dataPos));
+        return malformed(Sentence(
+            "{0} a pixel need a palette, but there is none between offset {1} and the pixels at "
+            "{2}",
+            Sentence::plural("{0} bit", "{0} bits", header.bitsPerPixel), header.palettePos, header.dataPos));
     return {};
 }
 
@@ -215,7 +214,7 @@ std::string_view headerName(std::uint32_t headerSize) {
     return "unknown header";
 }
 
-std::string compressionName(std::uint32_t compression, std::uint32_t headerSize) {
+Sentence compressionName(std::uint32_t compression, std::uint32_t headerSize) {
     if (headerKind(headerSize) == HeaderKind::Os22 && (compression == 3 || compression == 4))
         return compression == 3 ? "Huffman 1D" : "RLE24";
     switch (static_cast<Compression>(compression)) {
@@ -240,7 +239,7 @@ std::string compressionName(std::uint32_t compression, std::uint32_t headerSize)
     case Compression::CmykRle4:
         return "CMYK with RLE4";
     }
-    return fmt::format("number {}", compression);
+    return Sentence("number {0}", compression);
 }
 
 Header parseHeader(ByteView file) {

@@ -37,7 +37,7 @@ enum class HeaderKind : std::uint8_t { Os21, Os22, Windows3, Windows3Masks, V4, 
 [[nodiscard]] std::string_view headerName(std::uint32_t headerSize);
 
 /// "RLE8", "JPEG", "number 9"; two of the numbers mean something else in OS/2 2.x.
-[[nodiscard]] std::string compressionName(std::uint32_t compression, std::uint32_t headerSize);
+[[nodiscard]] Sentence compressionName(std::uint32_t compression, std::uint32_t headerSize);
 
 /// Red, green, blue, alpha. An alpha mask of 0 means no alpha.
 using Masks = std::array<std::uint32_t, 4>;
@@ -59,8 +59,8 @@ struct Header {
     std::uint64_t palettePos = 0;
     std::size_t paletteEntryBytes = 4; ///< 3 in OS/2 1.x: no reserved byte
     std::size_t paletteEntries = 0;    ///< between palettePos and the pixels
-    std::vector<std::string> notes;    ///< irregularities that are tolerated
-    std::vector<std::string> remarks;  ///< valid features that are ignored
+    std::vector<Sentence> notes;       ///< irregularities that are tolerated
+    std::vector<Sentence> remarks;     ///< valid features that are ignored
 
     [[nodiscard]] bool runLengthCoded() const {
         return compression == static_cast<std::uint32_t>(Compression::Rle8) ||

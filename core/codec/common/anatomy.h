@@ -4,6 +4,7 @@
 // examine broken files, so it continues up to the damage and reports what looks wrong.
 
 #include "texplorer/base/bytes.h"
+#include "texplorer/base/sentence.h"
 
 #include <cstdint>
 #include <string>
@@ -15,17 +16,17 @@ namespace texplorer {
 struct Field {
     std::uint64_t offset = 0;
     std::uint64_t size = 0; ///< the bytes that the field should have; the file may end earlier
-    std::string name;       ///< the name in the specification: "biBitCount"
-    std::string value;      ///< decoded: "24", "54 (0x36)", "DXT5"
-    std::string meaning;    ///< "bits a pixel"
-    std::string wrong;      ///< empty, or what looks wrong: "expected 40, 108 or 124"
+    Sentence name;          ///< the name in the specification: "biBitCount"
+    Sentence value;         ///< decoded: "24", "54 (0x36)", "DXT5"
+    Sentence meaning;       ///< "bits a pixel"
+    Sentence wrong;         ///< empty, or what looks wrong: "expected 40, 108 or 124"
     int depth = 0;          ///< nesting: 0 a section ("BITMAPINFOHEADER", "IHDR"), 1 its fields
 };
 
 struct Anatomy {
     std::string_view format;   ///< "BMP"
     std::vector<Field> fields; ///< in file order; bounded (at most 4096)
-    std::string damage;        ///< empty, or where and why the analysis stopped
+    Sentence damage;           ///< empty, or where and why the analysis stopped
 };
 
 // Each format has one such function, next to its decoder; registry.h chooses.

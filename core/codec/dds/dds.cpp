@@ -3,8 +3,6 @@
 #include "texplorer/codec/dds/dds_layout.h"
 #include "texplorer/codec/dds/dds_pixels.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cstring>
 #include <new>

@@ -20,56 +20,58 @@ public:
         : file_(file)
         , findings_(std::move(findings)) {}
 
-    Field& add(int depth, std::uint64_t offset, std::uint64_t size, std::string name, std::string value,
-               std::string meaning) {
+    Field& add(int depth, std::uint64_t offset, std::uint64_t size, Sentence name, Sentence value,
+               Sentence meaning) {
         Field field{offset, size, std::move(name), std::move(value), std::move(meaning), {}, depth};
         if (offset + size > file_.size()) {
-            field.value.clear();
-            blame(field, fmt::format("it ends at offset {}, the file at {}", offset + size, file_.size()));
+            field.value = {};
+            blame(field, Sentence("it ends at offset {0}, the file at {1}", offset + size, file_.size()));
         }
         for (const Finding& finding : findings_) {
             if (finding.offset == offset && finding.isFault)
                 blame(field, finding.sentence);
             else if (finding.offset == offset)
-                field.meaning += "; " + finding.sentence;
+                field.meaning = Sentence("{0}; {1}", field.meaning, finding.sentence);
         }
         anatomy.fields.push_back(std::move(field));
         return anatomy.fields.back();
     }
 
-    void section(std::uint64_t offset, std::uint64_t size, std::string name, std::string meaning) {
+    void section(std::uint64_t offset, std::uint64_t size, Sentence name, Sentence meaning) {
         anatomy.fields.push_back({offset, size, std::move(name), {}, std::move(meaning), {}, 0});
         if (offset + size > file_.size())
             anatomy.fields.back().wrong =
-                fmt::format("it needs {} bytes, the file has {} of them", size,
-                            file_.size() - std::min<std::uint64_t>(file_.size(), offset));
+                Sentence("it needs {0} bytes, the file has {1} of them", size,
+                         file_.size() - std::min<std::uint64_t>(file_.size(), offset));
     }
 
-    Field& number(std::size_t offset, std::string name, std::uint32_t value, std::string meaning) {
+    Field& number(std::size_t offset, Sentence name, std::uint32_t value, Sentence meaning) {
         return add(1, offset, 4, std::move(name), std::to_string(value), std::move(meaning));
     }
 
     /// A field of bits: the value is their names.
-    Field& bits(std::size_t offset, std::string name, std::uint32_t value, std::span<const NameRow> rows) {
-        std::string meaning;
+    Field& bits(std::size_t offset, Sentence name, std::uint32_t value, std::span<const NameRow> rows) {
+        std::vector<Sentence> meanings;
         for (const NameRow& row : rows)
             if ((value & row.value) != 0)
-                meaning.append(meaning.empty() ? "" : "; ").append(row.meaning);
-        return add(1, offset, 4, std::move(name), fmt::format("{}: {}", hex(value), spellBits(value, rows)),
-                   std::move(meaning));
+                meanings.emplace_back(row.meaning);
+        return add(1, offset, 4, std::move(name),
+                   Sentence("{0}: {1}", ProperName{hex(value)}, ProperName{spellBits(value, rows)}),
+                   Sentence::joined("{0}; {1}", meanings));
     }
 
     /// A field that has one of several values.
-    Field& choice(std::size_t offset, std::string name, std::uint32_t value, std::span<const NameRow> rows) {
+    Field& choice(std::size_t offset, Sentence name, std::uint32_t value, std::span<const NameRow> rows) {
         const auto row = std::ranges::find(rows, value, &NameRow::value);
         const bool known = row != rows.end();
         return add(1, offset, 4, std::move(name),
-                   fmt::format("{}{}", value, known ? ": " + std::string(row->name) : ""),
-                   known ? std::string(row->meaning) : "unknown value");
+                   known ? Sentence("{0}: {1}", value, ProperName{row->name})
+                         : Sentence(std::to_string(value)),
+                   known ? Sentence(row->meaning) : "unknown value");
     }
 
-    static void blame(Field& field, const std::string& sentence) {
-        field.wrong.append(field.wrong.empty() ? "" : "; ").append(sentence);
+    static void blame(Field& field, const Sentence& sentence) {
+        field.wrong = field.wrong.empty() ? sentence : Sentence("{0}; {1}", field.wrong, sentence);
     }
 
     Anatomy anatomy{"DDS", {}, {}};
@@ -101,32 +103,32 @@ std::string reservedText(ByteView file) {
     return text + "\"";
 }
 
-std::string describeFormat(const DxgiRow* format) {
+Sentence describeFormat(const DxgiRow* format) {
     if (format == nullptr)
         return "not a format that is read";
     if (std::holds_alternative<UnreadPixels>(format->pixels))
         return "known, but not read";
     if (const BlockFormat* block = std::get_if<BlockFormat>(&format->pixels))
-        return std::string(findRow(EnumTable<BlockFormat>::rows, static_cast<std::uint32_t>(*block))->help);
-    return fmt::format("uncompressed, {} bits a pixel", std::get<MaskedPixels>(format->pixels).bits);
+        return findRow(EnumTable<BlockFormat>::rows, static_cast<std::uint32_t>(*block))->help;
+    return Sentence("uncompressed, {0} bits a pixel", std::get<MaskedPixels>(format->pixels).bits);
 }
 
-std::string describeMask(std::string_view channel, std::uint32_t mask) {
+Sentence describeMask(std::string_view channel, std::uint32_t mask) {
     if (mask == 0)
-        return fmt::format("no {}", channel);
+        return Sentence("no {0}", channel);
     const int low = std::countr_zero(mask);
     const int high = 31 - std::countl_zero(mask);
-    const std::string text = low == high ? fmt::format("{} in bit {}", channel, low)
-                                         : fmt::format("{} in bits {} to {}", channel, low, high);
+    const Sentence text = low == high ? Sentence("{0} in bit {1}", channel, low)
+                                      : Sentence("{0} in bits {1} to {2}", channel, low, high);
     const bool holes = std::popcount(mask) != high - low + 1;
-    return holes ? fmt::format("{}, with holes", text) : text;
+    return holes ? Sentence("{0}, with holes", text) : text;
 }
 
 void addPixelFormat(Dissection& to, const Header& header) {
     to.section(at::formatSize, formatSize, "DDS_PIXELFORMAT", "the pixel format, within the header");
     to.number(at::formatSize, "ddspf.dwSize", header.formatSize, "bytes of this structure: 32");
     to.bits(at::formatFlags, "ddspf.dwFlags", header.formatFlags, formatFlagRows);
-    std::string code = "not a format that is read";
+    Sentence code = "not a format that is read";
     if (header.fourCC == 0)
         code = "none: the masks define the format";
     else if (header.fourCC == fourCC("DX10"))
@@ -146,8 +148,8 @@ void addPixelFormat(Dissection& to, const Header& header) {
         const std::string_view channel = luminance && i == 0 ? word("luminance")
                                          : depth && i == 1   ? word("depth")
                                                              : channels[i];
-        to.add(1, at::masks + 4 * i, 4, fmt::format("ddspf.dw{}BitMask", letters[i]), hex(header.masks[i]),
-               describeMask(channel, header.masks[i]));
+        to.add(1, at::masks + 4 * i, 4, ProperName{fmt::format("ddspf.dw{}BitMask", letters[i])},
+               hex(header.masks[i]), describeMask(channel, header.masks[i]));
     }
 }
 
@@ -185,41 +187,42 @@ void addExtendedHeader(Dissection& to, const Header& header) {
                "the extension of Direct3D 10 and later: any DXGI format");
     const DxgiRow* format = findDxgi(header.dxgiFormat);
     to.add(1, at::dxgiFormat, 4, "dxgiFormat",
-           fmt::format("{}{}", header.dxgiFormat, format ? ": " + std::string(format->name) : ""),
+           format ? Sentence("{0}: {1}", header.dxgiFormat, ProperName{format->name})
+                  : Sentence(std::to_string(header.dxgiFormat)),
            describeFormat(format));
     to.choice(at::dimension, "resourceDimension", header.dimension, dimensionRows);
     to.bits(at::miscFlag, "miscFlag", header.miscFlag, miscRows);
     to.number(at::arraySize, "arraySize", header.arraySize, "textures in an array; a cube map counts as one");
     Field& alpha = to.choice(at::miscFlags2, "miscFlags2", header.miscFlags2 & alphaModeMask, alphaModeRows);
     if ((header.miscFlags2 & ~alphaModeMask) != 0)
-        Dissection::blame(alpha,
-                          fmt::format("bits {} have no meaning", hex(header.miscFlags2 & ~alphaModeMask)));
+        Dissection::blame(
+            alpha, Sentence("bits {0} have no meaning", ProperName{hex(header.miscFlags2 & ~alphaModeMask)}));
 }
 
-std::string describeLevel(const Layout& layout, const Level& level) {
-    const auto blocks = [](int extent) { return std::to_string((extent + 3) / 4); };
+Sentence describeLevel(const Layout& layout, const Level& level) {
+    const auto blocks = [](int extent) { return (extent + 3) / 4; };
     const std::string slices = level.depth > 1 ? fmt::format(" × {}", level.depth) : "";
     const BlockFormat* block = std::get_if<BlockFormat>(&layout.format.pixels);
     const UnreadPixels* unread = std::get_if<UnreadPixels>(&layout.format.pixels);
     if (block != nullptr || (unread != nullptr && unread->extent > 1))
-        return fmt::format("{} × {}{} blocks of {} bytes", blocks(level.width), blocks(level.height), slices,
-                           block != nullptr ? bytesPerBlock(*block)
-                                            : static_cast<std::size_t>(unread->bytes));
-    return fmt::format("rows of {} bytes, top row first", level.size /
-                                                              static_cast<std::uint64_t>(level.height) /
-                                                              static_cast<std::uint64_t>(level.depth));
+        return Sentence("{0} × {1}{2} blocks of {3} bytes", blocks(level.width), blocks(level.height),
+                        ProperName{slices},
+                        block != nullptr ? bytesPerBlock(*block) : static_cast<std::size_t>(unread->bytes));
+    return Sentence("rows of {0} bytes, top row first", level.size /
+                                                            static_cast<std::uint64_t>(level.height) /
+                                                            static_cast<std::uint64_t>(level.depth));
 }
 
 void addLevels(Dissection& to, const Layout& layout) {
     to.section(layout.begin, layout.end() - layout.begin, "pixel data",
-               fmt::format("{}, {}", layout.format.name,
-                           layout.faces > 1 ? "face by face, each with all its levels"
-                                            : "level by level, largest first"));
+               Sentence("{0}, {1}", ProperName{layout.format.name},
+                        layout.faces > 1 ? "face by face, each with all its levels"
+                                         : "level by level, largest first"));
     for (int face = 0; face < layout.faces; ++face)
         for (int i = 0; i < layout.levels; ++i) {
             const Level level = layout.at(face, i);
-            std::string name = layout.faces > 1 ? fmt::format("face {}, level {}", faceName(face), i)
-                                                : fmt::format("level {}", i);
+            Sentence name = layout.faces > 1 ? Sentence("face {0}, level {1}", faceName(face), i)
+                                             : Sentence("level {0}", i);
             Field& field =
                 to.add(1, level.offset, level.size, std::move(name), "", describeLevel(layout, level));
             field.value = fmt::format("{} × {}{}", level.width, level.height,
@@ -233,14 +236,14 @@ Anatomy dissectDds(ByteView file) {
     Findings findings;
     const Header header = readHeader(file);
     const Result<Layout> layout = planLayout(file, {}, findings);
-    std::string damage;
+    Sentence damage;
     if (!layout)
         damage = layout.error().message;
     else if (const Result<int> levels = wholeLevels(*layout, file.size(), findings); !levels)
         damage = levels.error().message;
     else if (file.size() < layout->end())
         damage =
-            fmt::format("DDS: the last level ends at offset {}, the file at {}", layout->end(), file.size());
+            Sentence("DDS: the last level ends at offset {0}, the file at {1}", layout->end(), file.size());
 
     Dissection dissection(file, std::move(findings));
     addHeader(dissection, file, header);
@@ -251,8 +254,7 @@ Anatomy dissectDds(ByteView file) {
         const std::uint64_t elementsEnd = std::min<std::uint64_t>(layout->arrayEnd(), file.size());
         if (elementsEnd > layout->end())
             dissection.add(0, layout->end(), elementsEnd - layout->end(), "other elements",
-                           fmt::format("{} of the array", layout->elements - 1),
-                           "scenes show only the first");
+                           Sentence("{0} of the array", layout->elements - 1), "scenes show only the first");
         if (file.size() > elementsEnd)
             dissection.add(0, elementsEnd, file.size() - elementsEnd, "trailing bytes", "",
                            "not part of any level");

@@ -1,4 +1,4 @@
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/codec/common/swizzle.h"
 #include "texplorer/codec/dds/dds.h"
 #include "texplorer/codec/dds/dds_pixels.h"
@@ -49,8 +49,8 @@ Result<void> check(const TextureImage& texture) {
                                        static_cast<std::size_t>(texture.faces) *
                                        static_cast<std::size_t>(texture.levels))
         return refuse(Sentence("{0} of {1} faces with {2} levels are expected, there are {3} surfaces",
-                               countOf(texture.layers, "layer"), texture.faces, texture.levels,
-                               texture.surfaces.size()));
+                               Sentence::plural("{0} layer", "{0} layers", texture.layers), texture.faces,
+                               texture.levels, texture.surfaces.size()));
     const Surface& base = texture.surfaces.front();
     const int width = widthOf(base);
     const int height = heightOf(base);

@@ -2,8 +2,6 @@
 
 #include "texplorer/text/word.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 namespace texplorer::dds {
@@ -127,9 +125,9 @@ AlphaMeaning alphaMeaning(std::uint32_t mode, Findings& findings) {
     default:
         findings.push_back(
             {at::miscFlags2,
-             fmt::format("miscFlags2 has alpha mode {}, which doesn't exist; the meaning of alpha is "
-                         "unknown",
-                         mode)});
+             Sentence("miscFlags2 has alpha mode {0}, which doesn't exist; the meaning of alpha is "
+                      "unknown",
+                      mode)});
         return AlphaMeaning::Unknown;
     }
 }
@@ -145,8 +143,9 @@ Result<Format> fromDxgi(const Header& header, Findings& findings) {
             "DXGI format {0} is not read; BC1 to BC5 and unsigned formats of at most 32 bits a pixel are",
             header.dxgiFormat));
     if (row->name.ends_with("_TYPELESS"))
-        findings.push_back(
-            {at::dxgiFormat, fmt::format("{} does not define its bits; read as UNORM", row->name), false});
+        findings.push_back({at::dxgiFormat,
+                            Sentence("{0} does not define its bits; read as UNORM", ProperName{row->name}),
+                            false});
     Format format{row->name, row->pixels, row->srgb, AlphaMeaning::None};
     const AlphaMeaning said = alphaMeaning(header.miscFlags2 & alphaModeMask, findings);
     if (mayHaveAlpha(format))
@@ -157,8 +156,8 @@ Result<Format> fromDxgi(const Header& header, Findings& findings) {
 Result<Format> fromFourCC(const Header& header, Findings& findings) {
     if ((header.formatFlags & formatFourCC) == 0)
         findings.push_back(
-            {at::formatFlags, fmt::format("DDPF_FOURCC is not set although dwFourCC is {}; dwFourCC is used",
-                                          spellFourCC(header.fourCC))});
+            {at::formatFlags, Sentence("DDPF_FOURCC is not set although dwFourCC is {0}; dwFourCC is used",
+                                       ProperName{spellFourCC(header.fourCC)})});
     if (header.extended())
         return fromDxgi(header, findings);
     const auto row = std::ranges::find(fourCCTable, header.fourCC, &FourCCRow::code);
@@ -166,11 +165,12 @@ Result<Format> fromFourCC(const Header& header, Findings& findings) {
         std::string known;
         for (const FourCCRow& each : fourCCTable)
             known.append(each.name).append(", ");
-        return unsupported(Sentence("dwFourCC is {0}; {1}DX10 are read", spellFourCC(header.fourCC), known));
+        return unsupported(
+            Sentence("dwFourCC is {0}; {1}DX10 are read", ProperName{spellFourCC(header.fourCC)}, known));
     }
     if (row->alpha == AlphaMeaning::Premultiplied)
         findings.push_back(
-            {at::fourCC, fmt::format("{}: the colours are multiplied by alpha", row->name), false});
+            {at::fourCC, Sentence("{0}: the colours are multiplied by alpha", ProperName{row->name}), false});
     return Format{row->name, row->format, false, row->alpha};
 }
 
@@ -208,9 +208,10 @@ Result<Format> fromMasks(const Header& header, Findings& findings) {
     MaskedPixels pixels{static_cast<int>(header.bitCount), header.masks, PixelFormat::Rgba8};
     for (std::size_t i = 0; i < 4; ++i) {
         if ((pixels.masks[i] & ~all) != 0)
-            findings.push_back({at::masks + 4 * i,
-                                fmt::format("{} is {}, beyond the {} bits of a pixel; those bits are ignored",
-                                            maskNames[i], hex(pixels.masks[i]), header.bitCount)});
+            findings.push_back(
+                {at::masks + 4 * i,
+                 Sentence("{0} is {1}, beyond the {2} bits of a pixel; those bits are ignored",
+                          ProperName{maskNames[i]}, ProperName{hex(pixels.masks[i])}, header.bitCount)});
         pixels.masks[i] &= all;
     }
 
@@ -226,8 +227,8 @@ Result<Format> fromMasks(const Header& header, Findings& findings) {
     if (!alpha && !alphaAlone && pixels.masks[3] != 0) {
         findings.push_back(
             {at::formatFlags,
-             fmt::format("DDPF_ALPHAPIXELS is not set although dwABitMask is {}; read without alpha",
-                         hex(pixels.masks[3]))});
+             Sentence("DDPF_ALPHAPIXELS is not set although dwABitMask is {0}; read without alpha",
+                      ProperName{hex(pixels.masks[3])})});
         pixels.masks[3] = 0;
     }
 
@@ -302,13 +303,13 @@ Result<Format> formatOf(const Header& header, Findings& findings) {
     if (header.formatSize != formatSize)
         findings.push_back(
             {at::formatSize,
-             fmt::format("ddspf.dwSize is {} where 32 is expected; it is ignored", header.formatSize)});
+             Sentence("ddspf.dwSize is {0} where 32 is expected; it is ignored", header.formatSize)});
     if (header.hasFourCC())
         return fromFourCC(header, findings);
     if ((header.formatFlags & formatUnread) != 0)
         return unsupported(
             Sentence("pixels with {0} are not read; RGB, luminance, alpha, depth and compressed ones are",
-                     spellBits(header.formatFlags & formatUnread, formatFlagRows)));
+                     ProperName{spellBits(header.formatFlags & formatUnread, formatFlagRows)}));
     if ((header.formatFlags & formatFourCC) != 0)
         findings.push_back(
             {at::formatFlags, "DDPF_FOURCC is set, but dwFourCC is 0; the masks are used instead"});

@@ -4,6 +4,7 @@
 // Microsoft's "Programming Guide for DDS".
 
 #include "texplorer/base/bytes.h"
+#include "texplorer/base/sentence.h"
 
 #include <array>
 #include <cstdint>
@@ -94,7 +95,7 @@ struct Header {
 /// A tolerated contradiction between the header and the rest of the file.
 struct Finding {
     std::uint64_t offset; ///< of the field, as in `at`
-    std::string sentence;
+    Sentence sentence;
     bool isFault = true; ///< false: valid, but ignored
 };
 using Findings = std::vector<Finding>;

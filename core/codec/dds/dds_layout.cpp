@@ -1,6 +1,6 @@
 #include "texplorer/codec/dds/dds_layout.h"
 
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/image/mipmaps.h"
 
 #include <fmt/core.h>
@@ -40,8 +40,8 @@ void readElements(const Header& header, Layout& layout, bool everything, Finding
         findings.push_back(
             {at::arraySize,
              layout.faces > 1
-                 ? fmt::format("it is an array of {} cube maps; scenes show the first", header.arraySize)
-                 : fmt::format("it is an array of {} textures; scenes show the first", header.arraySize),
+                 ? Sentence("it is an array of {0} cube maps; scenes show the first", header.arraySize)
+                 : Sentence("it is an array of {0} textures; scenes show the first", header.arraySize),
              false});
 }
 
@@ -66,8 +66,8 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
             volume();
         if (header.dimension == dimension1D && header.height != 1) {
             findings.push_back(
-                {at::height, fmt::format("dwHeight of a line is {} where 1 is expected; it is read as 1",
-                                         header.height)});
+                {at::height,
+                 Sentence("dwHeight of a line is {0} where 1 is expected; it is read as 1", header.height)});
             layout.height = 1;
         }
         return {};
@@ -75,15 +75,15 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
     if (header.extended())
         findings.push_back(
             {at::dimension,
-             fmt::format("resourceDimension is {}, which is not a texture; dwCaps2 is used instead",
-                         header.dimension)});
+             Sentence("resourceDimension is {0}, which is not a texture; dwCaps2 is used instead",
+                      header.dimension)});
 
     if (volumeCap || (depthFlag && header.depth > 1)) {
         if (!volumeCap)
             findings.push_back(
                 {at::caps2,
-                 fmt::format(
-                     "DDSCAPS2_VOLUME is not set although DDSD_DEPTH is, with {} slices; it is read as a "
+                 Sentence(
+                     "DDSCAPS2_VOLUME is not set although DDSD_DEPTH is, with {0} slices; it is read as a "
                      "volume",
                      header.depth)});
         if ((header.caps2 & caps2CubeMap) != 0)
@@ -94,8 +94,8 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
     }
     if (header.depth > 1)
         findings.push_back(
-            {at::depth, fmt::format("dwDepth is {} although it is not marked as a volume; it is ignored",
-                                    header.depth)});
+            {at::depth,
+             Sentence("dwDepth is {0} although it is not marked as a volume; it is ignored", header.depth)});
     const std::uint32_t faces = header.caps2 & caps2AllFaces;
     if ((header.caps2 & caps2CubeMap) == 0) {
         if (faces != 0)
@@ -108,7 +108,7 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
     else if (faces != caps2AllFaces)
         return fail(ErrorCode::Unsupported,
                     Sentence("DDS: cube maps with all six faces are read, this one has {0}: {1}",
-                             std::popcount(faces), spellBits(faces, caps2Rows)));
+                             std::popcount(faces), ProperName{spellBits(faces, caps2Rows)}));
     layout.faces = 6;
     return {};
 }
@@ -118,7 +118,8 @@ Result<void> checkExtents(const Layout& layout, const Header& header, const Deco
     if (layout.depth != 1)
         extents += fmt::format(" × {}", header.depth);
     if (header.width == 0 || layout.height == 0)
-        return malformed(Sentence("a picture has at least 1 × 1 texels, this one says {0}", extents));
+        return malformed(
+            Sentence("a picture has at least 1 × 1 texels, this one says {0}", ProperName{extents}));
     const auto maxExtent = static_cast<std::uint32_t>(std::max(0, limits.maxExtent));
     // Read as unsigned: what became negative is too large as well.
     const auto tooLarge = [&](int extent) { return static_cast<std::uint32_t>(extent) > maxExtent; };
@@ -134,8 +135,8 @@ Result<void> checkExtents(const Layout& layout, const Header& header, const Deco
     const std::uint64_t slice =
         static_cast<std::uint64_t>(layout.width) * static_cast<std::uint64_t>(layout.height);
     if (slice > maxPixels / static_cast<std::uint64_t>(layout.depth))
-        return fail(ErrorCode::TooLarge,
-                    Sentence("DDS: at most {0} texels are read, the file has {1}", maxPixels, extents));
+        return fail(ErrorCode::TooLarge, Sentence("DDS: at most {0} texels are read, the file has {1}",
+                                                  maxPixels, ProperName{extents}));
     return {};
 }
 
@@ -149,14 +150,13 @@ void readLevels(const Header& header, Layout& layout, Findings& findings) {
             {at::mipMapCount, "dwMipMapCount is 0 although DDSD_MIPMAPCOUNT is set; one level is read"});
     else if (said > full)
         findings.push_back(
-            {at::mipMapCount, fmt::format("dwMipMapCount is {}, but the chain ends after {}; the others are "
-                                          "ignored",
-                                          said, countOf(full, "level"))});
+            {at::mipMapCount, Sentence("dwMipMapCount is {0}, but the chain ends after {1}; the others are "
+                                       "ignored",
+                                       said, Sentence::plural("{0} level", "{0} levels", full))});
     else if (said > 1 && !flagged)
         findings.push_back(
             {at::flags,
-             fmt::format("DDSD_MIPMAPCOUNT is not set although dwMipMapCount is {}; the count is used",
-                         said)});
+             Sentence("DDSD_MIPMAPCOUNT is not set although dwMipMapCount is {0}; the count is used", said)});
 }
 
 /// Nothing that these say is needed. Files without both are common and are left in peace.
@@ -169,20 +169,20 @@ void checkPitch(const Header& header, const Layout& layout, Findings& findings) 
     // Of a volume, some writers give the size of a slice.
     const std::uint64_t slice = level / static_cast<std::uint64_t>(layout.depth);
     if (linear && said != level && said != slice)
-        findings.push_back({at::pitchOrLinearSize,
-                            fmt::format("dwPitchOrLinearSize is {}, but level 0 has {}; it is ignored", said,
-                                        countOf(level, "byte"))});
+        findings.push_back(
+            {at::pitchOrLinearSize, Sentence("dwPitchOrLinearSize is {0}, but level 0 has {1}; it is ignored",
+                                             said, Sentence::plural("{0} byte", "{0} bytes", level))});
     else if (!linear && pitch && said != row)
         findings.push_back(
-            {at::pitchOrLinearSize, fmt::format("dwPitchOrLinearSize is {}, but a row has {}; it is ignored",
-                                                said, countOf(row, "byte"))});
+            {at::pitchOrLinearSize, Sentence("dwPitchOrLinearSize is {0}, but a row has {1}; it is ignored",
+                                             said, Sentence::plural("{0} byte", "{0} bytes", row))});
 }
 
 void checkFlags(const Header& header, Findings& findings) {
     constexpr std::uint32_t required = flagCaps | flagHeight | flagWidth | flagPixelFormat;
     if ((header.flags & required) != required)
-        findings.push_back({at::flags, fmt::format("dwFlags lacks {}; the fields are used anyway",
-                                                   spellBits(required & ~header.flags, flagRows))});
+        findings.push_back({at::flags, Sentence("dwFlags lacks {0}; the fields are used anyway",
+                                                ProperName{spellBits(required & ~header.flags, flagRows)})});
 }
 
 } // namespace
@@ -248,8 +248,10 @@ Result<Layout> planLayout(ByteView file, const DecodeLimits& limits, Findings& f
             if (fewer.arrayEnd() == file.size()) {
                 findings.push_back(
                     {at::mipMapCount,
-                     fmt::format("dwMipMapCount is {}, but the file holds exactly six faces of {}",
-                                 header.mipMapCount, countOf(static_cast<unsigned>(fewer.levels), "level"))});
+                     Sentence(
+                         "dwMipMapCount is {0}, but the file holds exactly six faces of {1}",
+                         header.mipMapCount,
+                         Sentence::plural("{0} level", "{0} levels", static_cast<unsigned>(fewer.levels)))});
                 return fewer;
             }
     return layout;
@@ -257,7 +259,7 @@ Result<Layout> planLayout(ByteView file, const DecodeLimits& limits, Findings& f
 
 Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& findings) {
     if (layout.elements > 1 && fileSize < layout.arrayEnd()) {
-        const std::string needed = countOf(layout.arrayEnd(), "byte");
+        const Sentence needed = Sentence::plural("{0} byte", "{0} bytes", layout.arrayEnd());
         return malformed(layout.faces > 1 ? Sentence("an array of {0} cube maps needs {1}, the file has {2}",
                                                      layout.elements, needed, fileSize)
                                           : Sentence("an array of {0} textures needs {1}, the file has {2}",
@@ -265,9 +267,9 @@ Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& fi
     }
     if (fileSize >= layout.end()) {
         if (fileSize > layout.arrayEnd())
-            findings.push_back(
-                {layout.arrayEnd(), fmt::format("{} after the last level: ignored",
-                                                countOf(fileSize - layout.arrayEnd(), "byte"))});
+            findings.push_back({layout.arrayEnd(), Sentence("{0} after the last level: ignored",
+                                                            Sentence::plural("{0} byte", "{0} bytes",
+                                                                             fileSize - layout.arrayEnd()))});
         return layout.levels;
     }
     const auto isWhole = [&](int face, int level) {
@@ -277,10 +279,11 @@ Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& fi
     for (int face = 0; face < layout.faces; ++face)
         if (!isWhole(face, 0)) {
             const Level base = layout.at(face, 0);
-            const std::string surface =
-                layout.faces > 1 ? fmt::format("level 0 of face {}", faceName(face)) : "level 0";
+            const Sentence surface =
+                layout.faces > 1 ? Sentence("level 0 of face {0}", faceName(face)) : "level 0";
             return malformed(Sentence("{0} needs {1} from offset {2}, the file has {3}", surface,
-                                      countOf(base.size, "byte"), base.offset, fileSize));
+                                      Sentence::plural("{0} byte", "{0} bytes", base.size), base.offset,
+                                      fileSize));
         }
     int levels = 1;
     while (isWhole(layout.faces - 1, levels))
@@ -288,11 +291,12 @@ Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& fi
     findings.push_back(
         {at::mipMapCount,
          levels == 1
-             ? fmt::format("dwMipMapCount is {}, which needs {}; the file has {} and only level 0 is whole",
-                           layout.levels, countOf(layout.end(), "byte"), fileSize)
-             : fmt::format(
-                   "dwMipMapCount is {}, which needs {}; the file has {} and only levels 0 to {} are whole",
-                   layout.levels, countOf(layout.end(), "byte"), fileSize, levels - 1)});
+             ? Sentence("dwMipMapCount is {0}, which needs {1}; the file has {2} and only level 0 is whole",
+                        layout.levels, Sentence::plural("{0} byte", "{0} bytes", layout.end()), fileSize)
+             : Sentence(
+                   "dwMipMapCount is {0}, which needs {1}; the file has {2} and only levels 0 to {3} are whole",
+                   layout.levels, Sentence::plural("{0} byte", "{0} bytes", layout.end()), fileSize,
+                   levels - 1)});
     return levels;
 }
 

@@ -70,7 +70,7 @@ Error inJpeg(const Error& error) {
 }
 
 Result<void> checkFrame(const JpegFrame& frame, ByteView file, const DecodeLimits& limits) {
-    const std::string extents = fmt::format("{} × {} pixels", frame.width, frame.height);
+    const Sentence extents("{0} × {1} pixels", frame.width, frame.height);
     if (frame.width < 1 || frame.height < 1)
         return malformed(Sentence("a picture has at least 1 × 1 pixels, this one has {0}", extents));
     if (static_cast<int>(frame.width) > limits.maxExtent || static_cast<int>(frame.height) > limits.maxExtent)
@@ -136,7 +136,7 @@ Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimi
         image = Image::uninitialised(header->format, header->width, header->height);
         if (const Result<void> read = reader.readPixels(image); !read)
             return fail(inJpeg({read.error().code,
-                                fmt::format("{} (the file has {} bytes)", read.error().message, file.size()),
+                                Sentence("{0} (the file has {1} bytes)", read.error().message, file.size()),
                                 {}}));
         if (header->inks)
             image = rgbOfCmyk(std::move(image), found.adobe);
@@ -153,11 +153,11 @@ Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimi
     if (found.comment)
         texture.losses.push_back({"metadata", "the comment", false});
     if (found.orientation > 1)
-        texture.remarks.push_back(fmt::format(
-            "Exif says that the camera was turned (orientation {}); the picture is read as stored",
-            found.orientation));
+        texture.remarks.push_back(
+            Sentence("Exif says that the camera was turned (orientation {0}); the picture is read as stored",
+                     found.orientation));
     if (found.end != 0 && found.end < file.size())
-        texture.notes.push_back(fmt::format("{} bytes after the end (EOI) ignored", file.size() - found.end));
+        texture.notes.push_back(Sentence("{0} bytes after the end (EOI) ignored", file.size() - found.end));
     return texture;
 }
 

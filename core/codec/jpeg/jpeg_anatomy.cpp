@@ -2,8 +2,6 @@
 #include "texplorer/codec/jpeg/jpeg_markers.h"
 #include "texplorer/text/word.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -15,7 +13,7 @@ namespace {
 constexpr std::size_t maxSegments = 200; // of at most sixteen fields each
 constexpr std::size_t maxComponents = 4;
 
-std::string meaningOf(const JpegSegment& segment) {
+const char* meaningOf(const JpegSegment& segment) {
     switch (segment.marker) {
     case jpegSoi:
         return "start of image";
@@ -39,8 +37,8 @@ std::string meaningOf(const JpegSegment& segment) {
 void describeFrame(const JpegSegment& segment, std::vector<Field>& fields) {
     const JpegFrame frame = readJpegFrame(segment);
     const std::size_t at = segment.offset + 4;
-    const auto add = [&](std::size_t offset, std::size_t size, std::string name, std::string value,
-                         std::string meaning, std::string wrong = {}) {
+    const auto add = [&](std::size_t offset, std::size_t size, Sentence name, Sentence value,
+                         Sentence meaning, Sentence wrong = {}) {
         if (offset + size <= segment.payload.size())
             fields.push_back({at + offset, size, std::move(name), std::move(value), std::move(meaning),
                               std::move(wrong), 1});
@@ -58,22 +56,22 @@ void describeFrame(const JpegSegment& segment, std::vector<Field>& fields) {
         const JpegComponent& each = frame.components[i];
         const bool good =
             each.horizontal >= 1 && each.horizontal <= 4 && each.vertical >= 1 && each.vertical <= 4;
-        add(6 + 3 * i, 3, fmt::format("component {}", each.id),
-            fmt::format("{} × {}", each.horizontal, each.vertical),
-            fmt::format("sampling; quantization table {}", each.quantization),
+        add(6 + 3 * i, 3, Sentence("component {0}", each.id),
+            Sentence("{0} × {1}", each.horizontal, each.vertical),
+            Sentence("sampling; quantization table {0}", each.quantization),
             good ? "" : "expected factors from 1 to 4");
     }
 }
 
 void describeSegment(const JpegSegment& segment, std::vector<Field>& fields) {
-    fields.push_back({segment.offset,
-                      segment.size(),
-                      jpegMarkerName(segment.marker),
-                      {},
-                      meaningOf(segment),
-                      segment.strayBytes == 0 ? std::string()
-                                              : fmt::format("{} stray bytes before it", segment.strayBytes),
-                      0});
+    fields.push_back(
+        {segment.offset,
+         segment.size(),
+         jpegMarkerName(segment.marker),
+         {},
+         meaningOf(segment),
+         segment.strayBytes == 0 ? Sentence() : Sentence("{0} stray bytes before it", segment.strayBytes),
+         0});
     if (segment.hasLength())
         fields.push_back({segment.offset + 2,
                           2,
@@ -88,7 +86,7 @@ void describeSegment(const JpegSegment& segment, std::vector<Field>& fields) {
         fields.push_back({segment.offset + 4,
                           segment.length,
                           "Exif",
-                          fmt::format("orientation {}", orientation),
+                          Sentence("orientation {0}", orientation),
                           "1 is upright",
                           {},
                           1});
@@ -117,18 +115,18 @@ Anatomy dissectJpeg(ByteView file) {
             Field& more = anatomy.fields.back();
             more.size = segment->offset + segment->size() - more.offset;
             more.value = std::to_string(index + 1 - maxSegments);
-            more.meaning = fmt::format("only the first {} are listed", maxSegments);
+            more.meaning = Sentence("only the first {0} are listed", maxSegments);
         }
         if (!segment->complete()) {
             anatomy.damage =
-                fmt::format("{} at offset {} needs {} bytes, the file has {}",
-                            jpegMarkerName(segment->marker), segment->offset, segment->size(), file.size());
+                Sentence("{0} at offset {1} needs {2} bytes, the file has {3}",
+                         jpegMarkerName(segment->marker), segment->offset, segment->size(), file.size());
             return anatomy;
         }
         ended = segment->marker == jpegEoi;
     }
     if (!ended)
-        anatomy.damage = fmt::format("the file ends at offset {} without an EOI", file.size());
+        anatomy.damage = Sentence("the file ends at offset {0} without an EOI", file.size());
     else if (segments.offset() < file.size())
         anatomy.fields.push_back({segments.offset(),
                                   file.size() - segments.offset(),

@@ -147,7 +147,7 @@ int exifOrientation(ByteView payload) {
     return 0;
 }
 
-std::string jpegMarkerName(std::uint8_t marker) {
+Sentence jpegMarkerName(std::uint8_t marker) {
     const auto numbered = [&](const char* name, unsigned first) {
         return fmt::format("{}{}", name, marker - first);
     };
@@ -179,7 +179,7 @@ std::string jpegMarkerName(std::uint8_t marker) {
         return numbered("SOF", jpegSof0);
     if (isRestart(marker))
         return numbered("RST", jpegRst0);
-    return fmt::format("marker {}", marker);
+    return Sentence("marker {0}", marker);
 }
 
 } // namespace texplorer

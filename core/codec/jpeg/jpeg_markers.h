@@ -9,10 +9,10 @@
 // followed by 00 or RSTn.
 
 #include "texplorer/base/bytes.h"
+#include "texplorer/base/sentence.h"
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace texplorer {
@@ -93,6 +93,6 @@ struct JpegFrame {
 [[nodiscard]] int exifOrientation(ByteView payload);
 
 /// "SOF2", "APP1", "DQT"
-[[nodiscard]] std::string jpegMarkerName(std::uint8_t marker);
+[[nodiscard]] Sentence jpegMarkerName(std::uint8_t marker);
 
 } // namespace texplorer

@@ -1,7 +1,5 @@
 #include "texplorer/codec/jpeg/jpeg_reader.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <jerror.h>
@@ -21,9 +19,9 @@ JpegReader& readerOf(j_common_ptr jpeg) {
 
 Error unreadableComponents(std::size_t count) {
     return {ErrorCode::Unsupported,
-            fmt::format("only pictures with 1 (grey), 3 (colour) or 4 (CMYK) components are read, this one "
-                        "has {}",
-                        count),
+            Sentence("only pictures with 1 (grey), 3 (colour) or 4 (CMYK) components are read, this one "
+                     "has {0}",
+                     count),
             {}};
 }
 
@@ -48,7 +46,7 @@ void JpegReader::keepMessage() noexcept {
     errors_.format_message(reinterpret_cast<j_common_ptr>(&jpeg_), text.data());
     try {
         if (errors_.msg_code == JWRN_EXTRANEOUS_DATA)
-            notes_.push_back(fmt::format("recovered: {}", text.data()));
+            notes_.push_back(Sentence("recovered: {0}", text.data()));
         else
             error_ = text.data();
     } catch (const std::bad_alloc&) {
@@ -82,7 +80,7 @@ void JpegReader::onProgress(j_common_ptr jpeg) {
     if (reader.jpeg_.input_scan_number <= maxScans)
         return;
     try {
-        reader.error_ = fmt::format("at most {} scans are read, the file has more", maxScans);
+        reader.error_ = Sentence("at most {0} scans are read, the file has more", maxScans);
     } catch (const std::bad_alloc&) {
         reader.outOfMemory_ = true;
     }

@@ -4,6 +4,7 @@
 
 #include "texplorer/base/bytes.h"
 #include "texplorer/base/result.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/codec/common/decode_limits.h"
 #include "texplorer/image/image.h"
 
@@ -44,7 +45,7 @@ public:
     [[nodiscard]] Result<void> readPixels(Image& image);
 
     /// What was tolerated, as sentences.
-    [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+    [[nodiscard]] const std::vector<Sentence>& notes() const { return notes_; }
 
 private:
     // These functions may longjmp, so they must not contain objects with destructors.
@@ -64,8 +65,8 @@ private:
     jpeg_progress_mgr progress_{};
     std::jmp_buf failed_{};
     bool outOfMemory_ = false;
-    std::string error_;
-    std::vector<std::string> notes_;
+    Sentence error_;
+    std::vector<Sentence> notes_;
 };
 
 } // namespace texplorer

@@ -39,14 +39,14 @@ constexpr std::array chunkMeanings{
     ChunkMeaning{"iCCP", "a colour profile"},
 };
 
-std::string meaningOf(const PngChunk& chunk) {
+Sentence meaningOf(const PngChunk& chunk) {
     for (const ChunkMeaning& each : chunkMeanings)
         if (each.type == chunk.type)
-            return std::string(each.meaning);
+            return each.meaning;
     return (chunk.type[0] & 0x20) != 0 ? "may be skipped" : "unknown and not skippable";
 }
 
-std::string wrongOrder(const PngChunk& chunk, std::size_t index, std::string_view before, bool pixelsSeen) {
+Sentence wrongOrder(const PngChunk& chunk, std::size_t index, std::string_view before, bool pixelsSeen) {
     if ((index == 0) != (chunk.type == "IHDR"))
         return index == 0 ? "expected IHDR first" : "a second IHDR";
     if (chunk.type == "IDAT" && pixelsSeen && before != "IDAT")
@@ -56,7 +56,7 @@ std::string wrongOrder(const PngChunk& chunk, std::size_t index, std::string_vie
     return {};
 }
 
-std::string colorTypeName(std::uint8_t type) {
+const char* colorTypeName(std::uint8_t type) {
     constexpr std::array names{word("grey"),     "", "RGB",          word("palette"),
                                "grey and alpha", "", "RGB and alpha"};
     return type < names.size() ? names[type] : "";
@@ -65,13 +65,13 @@ std::string colorTypeName(std::uint8_t type) {
 void describeHeader(const PngChunk& chunk, std::vector<Field>& fields) {
     const PngHeader header = readPngHeader(chunk.data);
     const std::size_t at = chunk.offset + 8;
-    const auto add = [&](std::size_t offset, std::size_t size, std::string name, std::uint32_t value,
-                         std::string meaning, bool good, std::string expected) {
+    const auto add = [&](std::size_t offset, std::size_t size, Sentence name, std::uint32_t value,
+                         Sentence meaning, bool good, Sentence expected) {
         if (offset + size <= chunk.data.size())
             fields.push_back({at + offset, size, std::move(name), std::to_string(value), std::move(meaning),
-                              good ? std::string() : std::move(expected), 1});
+                              good ? Sentence() : std::move(expected), 1});
     };
-    const std::string kind = colorTypeName(header.colorType);
+    const Sentence kind = colorTypeName(header.colorType);
     add(0, 4, word("width"), header.width, word("pixels"), header.width > 0, "expected 1 or more");
     add(4, 4, word("height"), header.height, word("pixels"), header.height > 0, "expected 1 or more");
     add(8, 1, "bit depth", header.depth, "bits a sample",
@@ -97,10 +97,10 @@ void describeText(const PngChunk& chunk, std::vector<Field>& fields) {
     fields.push_back({at, text.keywordBytes, word("keyword"), shownText(text.keyword), {}, text.wrong, 1});
     if (text.textOffset == 0)
         return;
-    std::string meaning;
+    Sentence meaning;
     if (text.packed && text.wrong.empty())
-        meaning = text.tooLong ? fmt::format("more than {} bytes uncompressed", unpackedTextBytes)
-                               : fmt::format("{} bytes uncompressed", text.text.size());
+        meaning = text.tooLong ? Sentence("more than {0} bytes uncompressed", unpackedTextBytes)
+                               : Sentence("{0} bytes uncompressed", text.text.size());
     fields.push_back({at + text.textOffset,
                       chunk.length - text.textOffset,
                       word("text"),
@@ -110,7 +110,7 @@ void describeText(const PngChunk& chunk, std::vector<Field>& fields) {
                       1});
 }
 
-void describeChunk(const PngChunk& chunk, std::string wrong, std::vector<Field>& fields) {
+void describeChunk(const PngChunk& chunk, Sentence wrong, std::vector<Field>& fields) {
     fields.push_back(
         {chunk.offset, chunk.size(), printable(chunk.type), {}, meaningOf(chunk), std::move(wrong), 0});
     fields.push_back({chunk.offset, 4, word("length"), std::to_string(chunk.length), "bytes of data", {}, 1});
@@ -123,18 +123,19 @@ void describeChunk(const PngChunk& chunk, std::string wrong, std::vector<Field>&
     if (!chunk.complete())
         return;
     const std::uint32_t found = pngCrc(chunk);
-    fields.push_back(
-        {chunk.offset + 8 + chunk.length, 4, "CRC", fmt::format("{:#010x}", *chunk.crc), "of type and data",
-         found == *chunk.crc ? std::string() : fmt::format("the bytes give {:#010x}", found), 1});
+    fields.push_back({chunk.offset + 8 + chunk.length, 4, "CRC", fmt::format("{:#010x}", *chunk.crc),
+                      "of type and data",
+                      found == *chunk.crc ? Sentence() : Sentence("the bytes give {0:#010x}", found), 1});
 }
 
 /// Of a chunk that isn't listed: what is wrong with its place or its CRC; empty: nothing.
-std::string faultOf(const PngChunk& chunk, const std::string& order) {
+Sentence faultOf(const PngChunk& chunk, const Sentence& order) {
     if (!order.empty())
-        return fmt::format("{} at {}: {}", printable(chunk.type), chunk.offset, order);
+        return Sentence("{0} at {1}: {2}", ProperName{printable(chunk.type)}, chunk.offset, order);
     if (!chunk.complete() || pngCrc(chunk) == *chunk.crc)
         return {};
-    return fmt::format("the CRC of {} at {} does not match its bytes", printable(chunk.type), chunk.offset);
+    return Sentence("the CRC of {0} at {1} does not match its bytes", ProperName{printable(chunk.type)},
+                    chunk.offset);
 }
 
 } // namespace
@@ -146,7 +147,7 @@ Anatomy dissectPng(ByteView file) {
                               "Signature",
                               {},
                               "89 50 4e 47 0d 0a 1a 0a",
-                              hasPngSignature(file) ? std::string() : "wrong bytes",
+                              hasPngSignature(file) ? "" : "wrong bytes",
                               0});
     PngChunks chunks(file);
     std::string before;
@@ -160,13 +161,14 @@ Anatomy dissectPng(ByteView file) {
             Field& more = anatomy.fields.back();
             more.size = chunk->offset + chunk->size() - more.offset;
             more.value = std::to_string(index + 1 - maxChunks);
-            more.meaning = fmt::format("only the first {} are listed", maxChunks);
+            more.meaning = Sentence("only the first {0} are listed", maxChunks);
             if (more.wrong.empty())
                 more.wrong = faultOf(*chunk, wrongOrder(*chunk, index, before, pixelsSeen));
         }
         if (!chunk->complete()) {
-            anatomy.damage = fmt::format("the chunk {} at offset {} needs {} bytes, the file has {}",
-                                         printable(chunk->type), chunk->offset, chunk->size(), file.size());
+            anatomy.damage =
+                Sentence("the chunk {0} at offset {1} needs {2} bytes, the file has {3}",
+                         ProperName{printable(chunk->type)}, chunk->offset, chunk->size(), file.size());
             return anatomy;
         }
         pixelsSeen = pixelsSeen || chunk->type == "IDAT";
@@ -176,7 +178,7 @@ Anatomy dissectPng(ByteView file) {
     }
     const std::size_t end = chunks.offset();
     if (before != "IEND")
-        anatomy.damage = fmt::format("the file ends at offset {} without an IEND", file.size());
+        anatomy.damage = Sentence("the file ends at offset {0} without an IEND", file.size());
     else if (end < file.size())
         anatomy.fields.push_back(
             {end, file.size() - end, "Trailing data", {}, "after the end", "not read", 0});

@@ -1,9 +1,7 @@
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/codec/png/png.h"
 #include "texplorer/codec/png/png_chunks.h"
 #include "texplorer/text/printable.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -72,7 +70,7 @@ Survey survey(ByteView file, bool everything) {
 }
 
 Result<void> checkExtents(const PngHeader& header, const DecodeLimits& limits) {
-    const std::string extents = fmt::format("{} × {} pixels", header.width, header.height);
+    const Sentence extents("{0} × {1} pixels", header.width, header.height);
     if (header.width < 1 || header.height < 1)
         return malformed(Sentence("a picture has at least 1 × 1 pixels, this one has {0}", extents));
     const auto maxExtent = static_cast<std::uint32_t>(std::max(limits.maxExtent, 0));
@@ -123,8 +121,8 @@ struct Decoder {
     png_infop info = nullptr;
     ByteView file;
     std::size_t position = 0;
-    std::string error;
-    std::vector<std::string> notes;
+    Sentence error;
+    std::vector<Sentence> notes;
 
     Decoder() = default;
     Decoder(const Decoder&) = delete;
@@ -143,19 +141,19 @@ Decoder& decoderOf(png_voidp pointer) {
 void keepError(Decoder& decoder, png_const_charp message) noexcept {
     try {
         if (decoder.error.empty())
-            decoder.error = fmt::format("{} (read up to offset {})", message, decoder.position);
+            decoder.error = Sentence("{0} (read up to offset {1})", message, decoder.position);
     } catch (const std::bad_alloc&) {
-        decoder.error.clear();
+        decoder.error = {};
     }
 }
 
 void keepEnd(Decoder& decoder, std::size_t wanted) noexcept {
     try {
         decoder.error =
-            fmt::format("the file ends early: {} more bytes were expected at offset {}, the file has {}",
-                        wanted, decoder.position, decoder.file.size());
+            Sentence("the file ends early: {0} more bytes were expected at offset {1}, the file has {2}",
+                     wanted, decoder.position, decoder.file.size());
     } catch (const std::bad_alloc&) {
-        decoder.error.clear();
+        decoder.error = {};
     }
 }
 
@@ -166,10 +164,10 @@ void onError(png_structp png, png_const_charp message) {
 
 void onWarning(png_structp png, png_const_charp message) {
     constexpr std::size_t enough = 8;
-    std::vector<std::string>& notes = decoderOf(png_get_error_ptr(png)).notes;
+    std::vector<Sentence>& notes = decoderOf(png_get_error_ptr(png)).notes;
     try {
         if (notes.size() < enough)
-            notes.push_back(fmt::format("recovered: {}", message));
+            notes.push_back(Sentence("recovered: {0}", message));
     } catch (const std::bad_alloc&) { // then without
         notes.clear();
     }
@@ -273,14 +271,15 @@ Result<TextureImage> decode(ByteView file, Survey found, const DecodeLimits& lim
     std::erase_if(texture.parts, [&](const FilePart& part) { return isRefused(decoder, part.name); });
     if (found.pictures > 1)
         texture.losses.push_back(
-            {"frames", fmt::format("{} of the animation's {} pictures", found.pictures - 1, found.pictures)});
+            {"frames", Sentence("{0} of the animation's {1} pictures", found.pictures - 1, found.pictures)});
     if (!found.others.empty())
-        texture.losses.push_back({"metadata", fmt::format("the chunks {}", printable(found.others)), false});
+        texture.losses.push_back(
+            {"metadata", Sentence("the chunks {0}", ProperName{printable(found.others)}), false});
     if (found.animated)
         texture.remarks.emplace_back("the file is an animation; its first picture is read");
     if (found.end != 0 && found.end < file.size())
-        texture.notes.push_back(
-            fmt::format("{} after the end (IEND) ignored", countOf(file.size() - found.end, "byte")));
+        texture.notes.push_back(Sentence("{0} after the end (IEND) ignored",
+                                         Sentence::plural("{0} byte", "{0} bytes", file.size() - found.end)));
     return texture;
 }
 

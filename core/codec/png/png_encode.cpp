@@ -3,8 +3,6 @@
 #include "texplorer/codec/png/png_text.h"
 #include "texplorer/s3tc/surface_pixels.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>

@@ -2,8 +2,6 @@
 
 #include "texplorer/files/file_io.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <libdeflate.h>
 #include <memory>
@@ -132,7 +130,7 @@ PngText readTextChunk(const PngChunk& chunk, std::size_t maxBytes) {
     found.keywordBytes = std::min(end.value_or(data.size()), data.size());
     found.keyword = fromLatin1(data.first(std::min(found.keywordBytes, maxKeywordBytes)));
     if (!end || *end == 0 || *end > maxKeywordBytes) {
-        found.wrong = fmt::format("expected a keyword of 1 to {} letters and a 0 after it", maxKeywordBytes);
+        found.wrong = Sentence("expected a keyword of 1 to {0} letters and a 0 after it", maxKeywordBytes);
         return found;
     }
     std::size_t at = *end + 1;

@@ -8,6 +8,7 @@
 
 #include "texplorer/base/bytes.h"
 #include "texplorer/base/result.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/codec/common/write_options.h"
 #include "texplorer/codec/png/png_chunks.h"
 

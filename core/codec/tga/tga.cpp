@@ -1,11 +1,9 @@
 #include "texplorer/codec/tga/tga.h"
 
 #include "texplorer/base/byte_reader.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/codec/tga/tga_format.h"
 #include "texplorer/codec/tga/tga_pixels.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -27,23 +25,23 @@ tl::unexpected<Error> tooLarge(const Sentence& message) {
 }
 
 // The first complaint that matters; what is merely odd goes into the notes.
-Result<void> checkHeader(const Header& header, std::vector<std::string>& notes) {
+Result<void> checkHeader(const Header& header, std::vector<Sentence>& notes) {
     for (const HeaderRow& row : headerRows()) {
         const std::optional<Complaint> complaint = row.complaint(header);
         if (!complaint)
             continue;
-        const std::string text = fmt::format("{}: {}", row.name, complaint->text);
+        const Sentence text("{0}: {1}", ProperName{row.name}, complaint->text);
         if (complaint->severity == Severity::Malformed)
             return malformed(text);
         if (complaint->severity == Severity::Unsupported)
-            return fail(ErrorCode::Unsupported, "TGA: " + text);
+            return fail(ErrorCode::Unsupported, Sentence("TGA: {0}", text));
         notes.push_back(text);
     }
     return {};
 }
 
 Result<void> checkSize(const Header& header, std::size_t decodedPixelBytes, const DecodeLimits& limits) {
-    const std::string extents = fmt::format("{} × {} pixels", header.width, header.height);
+    const Sentence extents("{0} × {1} pixels", header.width, header.height);
     if (header.width > limits.maxExtent || header.height > limits.maxExtent)
         return tooLarge(
             Sentence("at most {0} × {0} pixels are read, the file has {1}", limits.maxExtent, extents));
@@ -51,22 +49,25 @@ Result<void> checkSize(const Header& header, std::size_t decodedPixelBytes, cons
         return tooLarge(Sentence("at most {0} pixels are read, the file has {1}", limits.maxPixels, extents));
     if (header.pixelCount() * decodedPixelBytes > limits.maxBytes)
         return tooLarge(Sentence("at most {0} of pixels are decoded, the file has {1}",
-                                 countOf(limits.maxBytes, "byte"), header.pixelCount() * decodedPixelBytes));
+                                 Sentence::plural("{0} byte", "{0} bytes", limits.maxBytes),
+                                 header.pixelCount() * decodedPixelBytes));
     return {};
 }
 
-std::string shortage(const Header& header, std::uint64_t needed, std::size_t found) {
-    return fmt::format("pixel data needs {} from offset {}, the file has {} there",
-                       header.runLengthCoded() ? fmt::format("at least {}", countOf(needed, "byte"))
-                                               : countOf(needed, "byte"),
-                       header.pixelOffset(), found);
+Sentence shortage(const Header& header, std::uint64_t needed, std::size_t found) {
+    return Sentence("pixel data needs {0} from offset {1}, the file has {2} there",
+                    header.runLengthCoded()
+                        ? Sentence("at least {0}", Sentence::plural("{0} byte", "{0} bytes", needed))
+                        : Sentence::plural("{0} byte", "{0} bytes", needed),
+                    header.pixelOffset(), found);
 }
 
 // No file is long enough for more pixels than this before anything is allocated for them.
 Result<void> checkData(const Header& header, ByteView file, ByteView data) {
     if (header.pixelOffset() > file.size())
         return malformed(Sentence("the image ID and the colour map end at offset {0}, the file has {1}",
-                                  header.pixelOffset(), countOf(file.size(), "byte")));
+                                  header.pixelOffset(),
+                                  Sentence::plural("{0} byte", "{0} bytes", file.size())));
     const std::uint64_t needed = minDataBytes(header);
     if (data.size() < needed)
         return malformed(shortage(header, needed, data.size()));
@@ -153,7 +154,8 @@ Result<TextureImage> decodeTga(ByteView file, const DecodeLimits& limits) {
         if (!fillRows(reader, header, image))
             return malformed(
                 Sentence("the packets end after {0} from offset {1}, before the picture's {2} pixels",
-                         countOf(data.size(), "byte"), header.pixelOffset(), header.pixelCount()));
+                         Sentence::plural("{0} byte", "{0} bytes", data.size()), header.pixelOffset(),
+                         header.pixelCount()));
         reader.describeStrays(texture.notes);
         texture.alpha = applyAlpha(alpha, image, texture.notes);
         texture.surfaces.emplace_back(std::move(image));

@@ -1,5 +1,5 @@
 #include "texplorer/base/byte_reader.h"
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/codec/tga/tga.h"
 #include "texplorer/codec/tga/tga_format.h"
 #include "texplorer/text/word.h"
@@ -22,20 +22,21 @@ constexpr std::size_t maxTags = 64; // of the developer directory
 
 using Fields = std::vector<Field>;
 
-Field section(std::string name, std::uint64_t offset, std::uint64_t size, std::string value = {},
-              std::string meaning = {}, std::string wrong = {}) {
+Field section(Sentence name, std::uint64_t offset, std::uint64_t size, Sentence value = {},
+              Sentence meaning = {}, Sentence wrong = {}) {
     return {offset, size, std::move(name), std::move(value), std::move(meaning), std::move(wrong), 0};
 }
 
-Field field(std::string name, std::uint64_t offset, std::uint64_t size, std::string value,
-            std::string meaning = {}, std::string wrong = {}) {
+Field field(Sentence name, std::uint64_t offset, std::uint64_t size, Sentence value, Sentence meaning = {},
+            Sentence wrong = {}) {
     return {offset, size, std::move(name), std::move(value), std::move(meaning), std::move(wrong), 1};
 }
 
-std::string beyond(std::uint64_t offset, std::uint64_t size, std::size_t fileSize) {
+Sentence beyond(std::uint64_t offset, std::uint64_t size, std::size_t fileSize) {
     if (offset <= fileSize && size <= fileSize - offset)
         return {};
-    return fmt::format("ends at offset {}, the file has {}", offset + size, countOf(fileSize, "byte"));
+    return Sentence("ends at offset {0}, the file has {1}", offset + size,
+                    Sentence::plural("{0} byte", "{0} bytes", fileSize));
 }
 
 // Text up to its first NUL; what can't be printed as a dot.
@@ -56,14 +57,14 @@ Fields describeHeader(ByteView file, const Header& header) {
         if (row.offset + row.size > file.size())
             break;
         const std::optional<Complaint> complaint = row.complaint(header);
-        fields.push_back(field(std::string(row.name), row.offset, row.size, row.value(header),
-                               row.meaning(header), complaint ? complaint->text : ""));
+        fields.push_back(field(row.name, row.offset, row.size, row.value(header), row.meaning(header),
+                               complaint ? complaint->text : ""));
     }
     return fields;
 }
 
 //   "red 255, green 0, blue 0, alpha 1"
-std::string describeEntry(ByteView entry, int bits) {
+Sentence describeEntry(ByteView entry, int bits) {
     std::array<unsigned, 4> bgra{};
     if (entry.size() == 2) {
         const unsigned value = std::to_integer<unsigned>(entry[0]) | std::to_integer<unsigned>(entry[1]) << 8;
@@ -72,10 +73,11 @@ std::string describeEntry(ByteView entry, int bits) {
         for (std::size_t i = 0; i < entry.size(); ++i)
             bgra[i] = std::to_integer<unsigned>(entry[i]);
     }
-    std::string shown = fmt::format("red {}, green {}, blue {}", bgra[2], bgra[1], bgra[0]);
-    if (bits == 16 || bits == 32)
-        shown += fmt::format(", alpha {}", bgra[3]);
-    return entry.size() == 2 ? fmt::format("{} of 31", shown) : shown;
+    const Sentence shown =
+        bits == 16 || bits == 32
+            ? Sentence("red {0}, green {1}, blue {2}, alpha {3}", bgra[2], bgra[1], bgra[0], bgra[3])
+            : Sentence("red {0}, green {1}, blue {2}", bgra[2], bgra[1], bgra[0]);
+    return entry.size() == 2 ? Sentence("{0} of 31", shown) : shown;
 }
 
 Fields describeColorMap(ByteView file, const Header& header) {
@@ -83,14 +85,14 @@ Fields describeColorMap(ByteView file, const Header& header) {
         return {};
     const std::size_t size = header.entryBytes();
     Fields fields{section("Color Map Data", header.mapOffset(), header.mapBytes(),
-                          fmt::format("{} entries of {} bits", header.mapLength, header.entryBits),
+                          Sentence("{0} entries of {1} bits", header.mapLength, header.entryBits),
                           header.mapped() ? "the colours" : "not used by this picture",
                           beyond(header.mapOffset(), header.mapBytes(), file.size()))};
     for (std::size_t i = 0; i < std::min<std::size_t>(header.mapLength, maxMapEntries); ++i) {
         const std::size_t offset = header.mapOffset() + i * size;
         if (size > 4 || !beyond(offset, size, file.size()).empty())
             break;
-        fields.push_back(field(fmt::format("Entry {}", header.firstEntry + i), offset, size,
+        fields.push_back(field(Sentence("Entry {0}", header.firstEntry + i), offset, size,
                                describeEntry(file.subspan(offset, size), header.entryBits)));
     }
     return fields;
@@ -116,15 +118,15 @@ Packets walkPackets(ByteView data, const Header& header) {
         const bool crosses = column + pixels > header.width;
         const bool cut = size > data.size() - packets.bytes;
         if (packets.count < maxPackets || cut)
-            packets.first.push_back(
-                field(fmt::format("Packet {}", packets.count), header.pixelOffset() + packets.bytes, size,
-                      head >= 128 ? fmt::format("{} times the same pixel", pixels)
-                                  : fmt::format("{} raw pixels", pixels),
-                      fmt::format("from column {} of row {}", column, packets.pixels / header.width),
-                      cut       ? fmt::format("needs {}, {} are left", countOf(size, "byte"),
-                                              countOf(data.size() - packets.bytes, "byte"))
-                      : crosses ? "continues beyond the end of its row, which version 2 forbids"
-                                : ""));
+            packets.first.push_back(field(
+                Sentence("Packet {0}", packets.count), header.pixelOffset() + packets.bytes, size,
+                head >= 128 ? Sentence("{0} times the same pixel", pixels)
+                            : Sentence("{0} raw pixels", pixels),
+                Sentence("from column {0} of row {1}", column, packets.pixels / header.width),
+                cut ? Sentence("needs {0}, {1} are left", Sentence::plural("{0} byte", "{0} bytes", size),
+                               Sentence::plural("{0} byte", "{0} bytes", data.size() - packets.bytes))
+                : crosses ? "continues beyond the end of its row, which version 2 forbids"
+                          : ""));
         packets.cut = cut;
         if (cut)
             break;
@@ -136,56 +138,52 @@ Packets walkPackets(ByteView data, const Header& header) {
     return packets;
 }
 
-Fields describePackets(ByteView data, const Header& header, std::string& damage) {
+Fields describePackets(ByteView data, const Header& header, Sentence& damage) {
     Packets packets = walkPackets(data, header);
     const std::uint64_t needed = header.pixelCount();
-    std::string wrong;
+    Sentence wrong;
     if (packets.pixels < needed) {
-        const std::string got = fmt::format("{} of {} pixels", packets.pixels, needed);
-        wrong = fmt::format("ends after {}", got);
+        const Sentence got = Sentence("{0} of {1} pixels", packets.pixels, needed);
+        wrong = Sentence("ends after {0}", got);
         damage =
-            fmt::format("the packets end at offset {}, after {}", header.pixelOffset() + packets.bytes, got);
+            Sentence("the packets end at offset {0}, after {1}", header.pixelOffset() + packets.bytes, got);
     } else if (packets.crossing > 0) {
-        wrong = fmt::format("{} packets continue beyond the end of a row", packets.crossing);
+        wrong = Sentence("{0} packets continue beyond the end of a row", packets.crossing);
     }
     Fields fields{section("Image Data", header.pixelOffset(), packets.bytes,
-                          fmt::format("{} packets", packets.count),
-                          fmt::format("{} pixels, run-length coded", needed), wrong)};
+                          Sentence("{0} packets", packets.count),
+                          Sentence("{0} pixels, run-length coded", needed), wrong)};
     std::ranges::move(packets.first, std::back_inserter(fields));
     return fields;
 }
 
-Fields describePixels(ByteView data, const Header& header, std::string& damage) {
+Fields describePixels(ByteView data, const Header& header, Sentence& damage) {
     const std::uint64_t size = header.pixelCount() * header.pixelBytes();
-    std::string wrong;
+    Sentence wrong;
     if (data.size() < size) {
-        wrong = fmt::format("needs {}, there are {}", countOf(size, "byte"), data.size());
-        damage = fmt::format("pixel data needs {} from offset {}, there are {}", countOf(size, "byte"),
-                             header.pixelOffset(), data.size());
+        wrong = Sentence("needs {0}, there are {1}", Sentence::plural("{0} byte", "{0} bytes", size),
+                         data.size());
+        damage = Sentence("pixel data needs {0} from offset {1}, there are {2}",
+                          Sentence::plural("{0} byte", "{0} bytes", size), header.pixelOffset(), data.size());
     }
-    return {section("Image Data", header.pixelOffset(), size, fmt::format("{} pixels", header.pixelCount()),
-                    fmt::format("rows from the {}, each from the {}",
-                                header.topFirst() ? word("top") : word("bottom"),
-                                header.rightToLeft() ? word("right") : word("left")),
+    return {section("Image Data", header.pixelOffset(), size, Sentence("{0} pixels", header.pixelCount()),
+                    Sentence("rows from the {0}, each from the {1}",
+                             header.topFirst() ? word("top") : word("bottom"),
+                             header.rightToLeft() ? word("right") : word("left")),
                     wrong)};
 }
 
-Fields describeImageData(ByteView data, const Header& header, std::string& damage) {
+Fields describeImageData(ByteView data, const Header& header, Sentence& damage) {
     if (header.pixelCount() == 0 || header.pixelBytes() == 0 || header.pixelBytes() > 4)
         return {};
     return header.runLengthCoded() ? describePackets(data, header, damage)
                                    : describePixels(data, header, damage);
 }
 
-std::string pair(ByteReader& reader, std::string_view separator) {
-    const unsigned first = reader.u16();
-    return fmt::format("{}{}{}", first, separator, reader.u16());
-}
-
-std::string ratio(ByteReader& reader) {
+Sentence ratio(ByteReader& reader) {
     const int above = reader.u16();
     const int below = reader.u16();
-    return below == 0 ? "not given" : fmt::format("{} / {}", above, below);
+    return below == 0 ? "not given" : Sentence("{0} / {1}", above, below);
 }
 
 // "2026-11-21 12:05:00"; the file has month, day, year, hour, minute, second.
@@ -197,9 +195,10 @@ std::string dateTime(ByteReader& reader) {
                        numbers[4], numbers[5]);
 }
 
-std::string elapsed(ByteReader& reader) {
+Sentence elapsed(ByteReader& reader) {
     const unsigned hours = reader.u16();
-    return fmt::format("{} h, {} s", hours, pair(reader, " min, "));
+    const unsigned minutes = reader.u16();
+    return Sentence("{0} h, {1} min, {2} s", hours, minutes, reader.u16());
 }
 
 std::string version(ByteReader& reader) {
@@ -209,11 +208,11 @@ std::string version(ByteReader& reader) {
     return letter > ' ' && letter < 127 ? shown + letter : shown;
 }
 
-std::string keyColor(ByteReader& reader) {
+Sentence keyColor(ByteReader& reader) {
     std::array<unsigned, 4> bgra{};
     for (unsigned& component : bgra)
         component = reader.u8();
-    return fmt::format("red {}, green {}, blue {}, alpha {}", bgra[2], bgra[1], bgra[0], bgra[3]);
+    return Sentence("red {0}, green {1}, blue {2}, alpha {3}", bgra[2], bgra[1], bgra[0], bgra[3]);
 }
 
 std::string number16(ByteReader& reader) {
@@ -244,12 +243,12 @@ Fields describeExtension(ByteView file, const Footer& footer) {
     ByteReader reader(file.subspan(begin));
     Fields fields{
         section("Extension Area", begin, extensionBytes, {}, {}, beyond(begin, extensionBytes, file.size()))};
-    const auto add = [&](std::string_view name, auto read, const std::string& meaning = {}) {
+    const auto add = [&](Sentence name, auto read, Sentence meaning = {}) {
         const std::size_t offset = reader.position();
-        std::string value = read(reader);
+        Sentence value = read(reader);
         if (!reader.truncated())
-            fields.push_back(field(std::string(name), begin + offset, reader.position() - offset,
-                                   std::move(value), meaning));
+            fields.push_back(field(std::move(name), begin + offset, reader.position() - offset,
+                                   std::move(value), std::move(meaning)));
     };
     const auto chars = [](std::size_t size) { return [size](ByteReader& r) { return characters(r, size); }; };
     add("Extension Size", number16, "bytes, 495 in version 2.0");
@@ -257,7 +256,7 @@ Fields describeExtension(ByteView file, const Footer& footer) {
         fields.back().wrong = "expected 495";
     add("Author Name", chars(41));
     for (const int line : {1, 2, 3, 4})
-        add(fmt::format("Author Comments, line {}", line), chars(81));
+        add(Sentence("Author Comments, line {0}", line), chars(81));
     add("Date/Time Stamp", dateTime, "time of saving");
     add("Job Name/ID", chars(41));
     add("Job Time", elapsed, "working time");
@@ -286,7 +285,7 @@ Fields describeDeveloper(ByteView file, const Footer& footer) {
         return {};
     ByteReader reader(file.subspan(begin));
     const std::size_t tags = reader.u16();
-    Fields fields{section("Developer Directory", begin, 2 + 10 * tags, fmt::format("{} tags", tags), {},
+    Fields fields{section("Developer Directory", begin, 2 + 10 * tags, Sentence("{0} tags", tags), {},
                           beyond(begin, 2 + 10 * tags, file.size()))};
     for (std::size_t i = 0; i < std::min(tags, maxTags); ++i) {
         const std::size_t offset = begin + reader.position();
@@ -295,17 +294,18 @@ Fields describeDeveloper(ByteView file, const Footer& footer) {
         const std::uint64_t size = reader.u32();
         if (reader.truncated())
             break;
-        fields.push_back(field(fmt::format("Tag {}", tag), offset, 10,
-                               fmt::format("{} at offset {}", countOf(size, "byte"), where),
-                               "for programs that know it", beyond(where, size, file.size())));
+        fields.push_back(
+            field(Sentence("Tag {0}", ProperName{tag}), offset, 10,
+                  Sentence("{0} at offset {1}", Sentence::plural("{0} byte", "{0} bytes", size), where),
+                  "for programs that know it", beyond(where, size, file.size())));
     }
     return fields;
 }
 
-std::string wrongOffset(std::size_t offset, std::size_t fileSize) {
+Sentence wrongOffset(std::size_t offset, std::size_t fileSize) {
     if (offset != 0 && (offset < Header::headerBytes || offset >= fileSize - Footer::bytes))
-        return fmt::format("expected 0 or an offset between header and footer (18 to {})",
-                           fileSize - Footer::bytes);
+        return Sentence("expected 0 or an offset between header and footer (18 to {0})",
+                        fileSize - Footer::bytes);
     return {};
 }
 
@@ -335,7 +335,7 @@ Anatomy dissectTga(ByteView file) {
     };
     add(describeHeader(file, header));
     if (file.size() < Header::headerBytes) {
-        anatomy.damage = fmt::format("the header needs 18 bytes, the file has {}", file.size());
+        anatomy.damage = Sentence("the header needs 18 bytes, the file has {0}", file.size());
     } else {
         if (header.idLength > 0)
             add({section(
@@ -345,8 +345,9 @@ Anatomy dissectTga(ByteView file) {
                 {}, beyond(Header::headerBytes, header.idLength, file.size()))});
         add(describeColorMap(file, header));
         if (header.pixelOffset() > file.size())
-            anatomy.damage = fmt::format("the image ID and the colour map end at offset {}, the file has {}",
-                                         header.pixelOffset(), countOf(file.size(), "byte"));
+            anatomy.damage =
+                Sentence("the image ID and the colour map end at offset {0}, the file has {1}",
+                         header.pixelOffset(), Sentence::plural("{0} byte", "{0} bytes", file.size()));
         else
             add(describeImageData(pixelData(file, header, footer), header, anatomy.damage));
     }

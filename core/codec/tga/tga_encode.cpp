@@ -1,11 +1,9 @@
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/codec/common/swizzle.h"
 #include "texplorer/codec/tga/tga.h"
 #include "texplorer/codec/tga/tga_format.h"
 #include "texplorer/image/convert.h"
 #include "texplorer/s3tc/surface_pixels.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstring>
@@ -182,10 +180,12 @@ Result<Bytes> encodeTga(const TextureImage& texture, const WriteOptions& options
         if (!image)
             image = &converted.emplace(toImage(surface));
         if (image->pixels.size() < image->rowBytes() * static_cast<std::size_t>(image->height))
-            return fail(ErrorCode::Malformed,
-                        Sentence("TGA: the picture needs {0}, it has {1}",
-                                 countOf(image->rowBytes() * static_cast<std::size_t>(image->height), "byte"),
-                                 image->pixels.size()));
+            return fail(
+                ErrorCode::Malformed,
+                Sentence("TGA: the picture needs {0}, it has {1}",
+                         Sentence::plural("{0} byte", "{0} bytes",
+                                          image->rowBytes() * static_cast<std::size_t>(image->height)),
+                         image->pixels.size()));
         if (texture.alpha == AlphaMeaning::None && hasAlpha(image->format))
             image = &converted.emplace(withoutMeaninglessAlpha(*image));
         return write(*image, texture.alpha, texture.topFirst, options.runLengthCoded);

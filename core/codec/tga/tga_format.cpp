@@ -14,8 +14,8 @@ namespace {
 
 using Check = std::optional<Complaint>;
 
-Check malformed(const std::string& expected, int found) {
-    return Complaint{Severity::Malformed, fmt::format("expected {}, found {}", expected, found)};
+Check malformed(const char* expected, int found) {
+    return Complaint{Severity::Malformed, Sentence("expected {0}, found {1}", expected, found)};
 }
 
 Check fine(const Header&) {
@@ -26,7 +26,7 @@ bool isColorDepth(int bits) {
     return bits == 15 || bits == 16 || bits == 24 || bits == 32;
 }
 
-std::string describeType(const Header& header) {
+const char* describeType(const Header& header) {
     switch (header.imageType) {
     case 0:
         return "no picture";
@@ -63,16 +63,16 @@ Check checkType(const Header& header) {
     const int type = header.imageType;
     if (type == 32 || type == 33)
         return Complaint{Severity::Unsupported,
-                         fmt::format("types 1, 2, 3, 9, 10 and 11 are read, the file has {}: {}", type,
-                                     describeType(header))};
-    if (type == 0 || describeType(header) == "unknown")
+                         Sentence("types 1, 2, 3, 9, 10 and 11 are read, the file has {0}: {1}", type,
+                                  describeType(header))};
+    if (type == 0 || std::string_view(describeType(header)) == "unknown")
         return malformed("type 1, 2, 3, 9, 10 or 11", type);
     return {};
 }
 
 Check checkUnusedMapField(const Header& header, int value) {
     if (header.colorMapType == 0 && value != 0)
-        return Complaint{Severity::Odd, fmt::format("expected 0 without a colour map, found {}", value)};
+        return Complaint{Severity::Odd, Sentence("expected 0 without a colour map, found {0}", value)};
     return {};
 }
 
@@ -109,23 +109,24 @@ Check checkDescriptor(const Header& header) {
     if (header.interleave() != 0)
         return Complaint{
             Severity::Unsupported,
-            fmt::format("rows one after the other are read, these are interleaved ({} in bits 6 and 7)",
-                        header.interleave())};
+            Sentence("rows one after the other are read, these are interleaved ({0} in bits 6 and 7)",
+                     header.interleave())};
     const int bits = header.attributeBits();
     if (bits != 0 && bits != header.alphaBits())
         return Complaint{
             Severity::Odd,
-            fmt::format("expected {} attribute bits, found {}",
-                        header.alphaBits() == 0 ? "0" : fmt::format("0 or {}", header.alphaBits()), bits)};
+            Sentence("expected {0} attribute bits, found {1}",
+                     header.alphaBits() == 0 ? Sentence("0") : Sentence("0 or {0}", header.alphaBits()),
+                     bits)};
     return {};
 }
 
-std::string describeDescriptor(const Header& header) {
+Sentence describeDescriptor(const Header& header) {
     constexpr std::array corners{"bottom left", "bottom right", "top left", "top right"};
     const auto corner = (header.topFirst() ? 2U : 0U) + (header.rightToLeft() ? 1U : 0U);
-    const std::string text =
-        fmt::format("{} attribute bits, first pixel at the {}", header.attributeBits(), corners[corner]);
-    return header.interleave() == 0 ? text : fmt::format("{}, interleaved rows", text);
+    const Sentence text =
+        Sentence("{0} attribute bits, first pixel at the {1}", header.attributeBits(), corners[corner]);
+    return header.interleave() == 0 ? text : Sentence("{0}, interleaved rows", text);
 }
 
 std::string bitsOf(int value) {
@@ -139,35 +140,36 @@ std::string number(const Header& header) {
 
 constexpr std::array rows{
     HeaderRow{0, 1, "ID Length", number<&Header::idLength>,
-              [](const Header&) -> std::string { return "bytes of the image ID, which follows the header"; },
+              [](const Header&) -> Sentence { return "bytes of the image ID, which follows the header"; },
               fine},
     HeaderRow{1, 1, "Color Map Type", number<&Header::colorMapType>,
-              [](const Header& h) -> std::string {
+              [](const Header& h) -> Sentence {
                   return h.colorMapType == 0   ? "no colour map"
                          : h.colorMapType == 1 ? "a colour map"
                                                : word("unknown");
               },
               checkMapType},
-    HeaderRow{2, 1, "Image Type", number<&Header::imageType>, describeType, checkType},
+    HeaderRow{2, 1, "Image Type", number<&Header::imageType>,
+              [](const Header& h) -> Sentence { return describeType(h); }, checkType},
     HeaderRow{3, 2, "First Entry Index", number<&Header::firstEntry>,
-              [](const Header&) -> std::string { return "index of the first stored entry"; },
+              [](const Header&) -> Sentence { return "index of the first stored entry"; },
               [](const Header& h) { return checkUnusedMapField(h, h.firstEntry); }},
     HeaderRow{5, 2, "Color map Length", number<&Header::mapLength>,
-              [](const Header&) -> std::string { return "stored entries"; }, checkMapLength},
+              [](const Header&) -> Sentence { return "stored entries"; }, checkMapLength},
     HeaderRow{7, 1, "Color map Entry Size", number<&Header::entryBits>,
-              [](const Header&) -> std::string { return "bits an entry"; }, checkEntrySize},
+              [](const Header&) -> Sentence { return "bits an entry"; }, checkEntrySize},
     HeaderRow{8, 2, "X-origin of Image", number<&Header::xOrigin>,
-              [](const Header&) -> std::string { return "left edge on the screen"; }, fine},
+              [](const Header&) -> Sentence { return "left edge on the screen"; }, fine},
     HeaderRow{10, 2, "Y-origin of Image", number<&Header::yOrigin>,
-              [](const Header&) -> std::string { return "lower edge on the screen"; }, fine},
+              [](const Header&) -> Sentence { return "lower edge on the screen"; }, fine},
     HeaderRow{12, 2, "Image Width", number<&Header::width>,
-              [](const Header&) -> std::string { return "pixels in a row"; },
+              [](const Header&) -> Sentence { return "pixels in a row"; },
               [](const Header& h) { return checkExtent(h.width); }},
     HeaderRow{14, 2, "Image Height", number<&Header::height>,
-              [](const Header&) -> std::string { return word("rows"); },
+              [](const Header&) -> Sentence { return word("rows"); },
               [](const Header& h) { return checkExtent(h.height); }},
     HeaderRow{16, 1, "Pixel Depth", number<&Header::pixelBits>,
-              [](const Header& h) -> std::string { return h.mapped() ? "bits an index" : "bits a pixel"; },
+              [](const Header& h) -> Sentence { return h.mapped() ? "bits an index" : "bits a pixel"; },
               checkDepth},
     HeaderRow{17, 1, "Image Descriptor", [](const Header& h) { return bitsOf(h.descriptor); },
               describeDescriptor, checkDescriptor},
@@ -236,7 +238,7 @@ std::vector<Loss> lossesOf(ByteView extension) {
     const unsigned numerator = gamma.u16();
     const unsigned denominator = gamma.u16();
     if (denominator != 0 && numerator != denominator)
-        losses.push_back({"colorProfile", fmt::format("the gamma of {}/{}", numerator, denominator), false});
+        losses.push_back({"colorProfile", Sentence("the gamma of {0}/{1}", numerator, denominator), false});
     const auto isWritten = [](std::byte letter) {
         return letter != std::byte{0} && letter != std::byte{' '};
     };

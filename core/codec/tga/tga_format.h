@@ -4,6 +4,7 @@
 
 #include "texplorer/base/bytes.h"
 #include "texplorer/base/result.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/image/texture_image.h"
 
 #include <cstdint>
@@ -70,7 +71,7 @@ enum class Severity : std::uint8_t {
 /// An error in a field: "expected 8 or 16 bits for grey, found 24".
 struct Complaint {
     Severity severity;
-    std::string text;
+    Sentence text;
 };
 
 /// The fields of the header: the decoder checks them by these rows, the anatomy shows them.
@@ -79,7 +80,7 @@ struct HeaderRow {
     std::size_t size;
     std::string_view name;
     std::string (*value)(const Header&);
-    std::string (*meaning)(const Header&);
+    Sentence (*meaning)(const Header&);
     std::optional<Complaint> (*complaint)(const Header&);
 };
 

@@ -1,9 +1,7 @@
 #include "texplorer/codec/tga/tga_pixels.h"
 
-#include "texplorer/base/count.h"
+#include "texplorer/base/sentence.h"
 #include "texplorer/codec/common/swizzle.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -171,20 +169,21 @@ void fill(Packed pixel, std::byte* to, std::size_t count, std::size_t room) {
 
 } // namespace
 
-AlphaReading readAlpha(const Header& header, ByteView extension, std::vector<std::string>& notes) {
+AlphaReading readAlpha(const Header& header, ByteView extension, std::vector<Sentence>& notes) {
     if (header.alphaBits() == 0)
         return {AlphaRule::Absent, {}};
     // The one bit of a 16-bit colour has different meanings in different programs; most leave it 0 without
     // a meaning.
-    const std::string meaningless =
+    const char* meaningless =
         header.alphaBits() == 1 ? "the meaning of the attribute bit is not specified" : "";
     if (!extension.empty()) {
         switch (const auto type = std::to_integer<int>(extension[attributesTypeOffset])) {
         case 0:
             if (header.attributeBits() == 0)
                 return {AlphaRule::Ignore, {}};
-            return {AlphaRule::Unknown, fmt::format("the extension area says no alpha, the descriptor {}",
-                                                    countOf(header.attributeBits(), "bit"))};
+            return {AlphaRule::Unknown,
+                    Sentence("the extension area says no alpha, the descriptor {0}",
+                             Sentence::plural("{0} bit", "{0} bits", header.attributeBits()))};
         case 1:
             return {AlphaRule::Ignore, {}};
         case 2:
@@ -195,7 +194,7 @@ AlphaReading readAlpha(const Header& header, ByteView extension, std::vector<std
             return {AlphaRule::Premultiplied, {}};
         default:
             notes.push_back(
-                fmt::format("the extension area's attributes type is {}, expected 0 to 4: ignored", type));
+                Sentence("the extension area's attributes type is {0}, expected 0 to 4: ignored", type));
         }
     }
     if (header.attributeBits() != 0)
@@ -220,7 +219,7 @@ AlphaMeaning meaningOf(AlphaRule rule, PixelFormat format) {
     }
 }
 
-AlphaMeaning applyAlpha(const AlphaReading& reading, Image& image, std::vector<std::string>& notes) {
+AlphaMeaning applyAlpha(const AlphaReading& reading, Image& image, std::vector<Sentence>& notes) {
     const auto size = static_cast<std::size_t>(bytesPerPixel(image.format));
     if (image.format != PixelFormat::Rgba8 && image.format != PixelFormat::LuminanceAlpha8)
         return AlphaMeaning::None;
@@ -231,9 +230,9 @@ AlphaMeaning applyAlpha(const AlphaReading& reading, Image& image, std::vector<s
             allZero = allZero && image.pixels[i] == std::byte{0};
         if (allZero) {
             rule = AlphaRule::Ignore;
-            notes.push_back(fmt::format("{}, and every alpha is 0: ignored", reading.doubt));
+            notes.push_back(Sentence("{0}, and every alpha is 0: ignored", reading.doubt));
         } else if (rule == AlphaRule::Unknown) {
-            notes.push_back(fmt::format("{}, but not every alpha is 0: kept", reading.doubt));
+            notes.push_back(Sentence("{0}, but not every alpha is 0: kept", reading.doubt));
         }
     }
     if (rule == AlphaRule::Ignore)
@@ -341,14 +340,14 @@ bool PixelReader::readPackets(std::byte* to, std::size_t count) {
     return true;
 }
 
-void PixelReader::describeStrays(std::vector<std::string>& notes) const {
+void PixelReader::describeStrays(std::vector<Sentence>& notes) const {
     if (map_.strays > 0) {
         const std::size_t last = map_.firstEntry + map_.entries.size() - 1;
         notes.push_back(
             map_.strays == 1
-                ? fmt::format("1 pixel is outside the colour map ({} to {}): black", map_.firstEntry, last)
-                : fmt::format("{} pixels are outside the colour map ({} to {}): black", map_.strays,
-                              map_.firstEntry, last));
+                ? Sentence("1 pixel is outside the colour map ({0} to {1}): black", map_.firstEntry, last)
+                : Sentence("{0} pixels are outside the colour map ({1} to {2}): black", map_.strays,
+                           map_.firstEntry, last));
     }
 }
 

@@ -2,6 +2,7 @@
 
 // Converts the pixels of a TGA file to those of an Image, in the file's order.
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/codec/tga/tga_format.h"
 #include "texplorer/image/texture_image.h"
 
@@ -22,18 +23,17 @@ struct AlphaReading {
     AlphaRule rule;
     /// Why the bits may be padding: "the descriptor says 0 attribute bits". In that case Ignore replaces the
     /// rule if all of them are 0. Empty: no doubt.
-    std::string doubt;
+    Sentence doubt;
 };
 
-[[nodiscard]] AlphaReading readAlpha(const Header& header, ByteView extension,
-                                     std::vector<std::string>& notes);
+[[nodiscard]] AlphaReading readAlpha(const Header& header, ByteView extension, std::vector<Sentence>& notes);
 
 /// The meaning of a picture's alpha under a rule without doubt.
 [[nodiscard]] AlphaMeaning meaningOf(AlphaRule rule, PixelFormat format);
 
 /// Applies the rule to a decoded picture.
 [[nodiscard]] AlphaMeaning applyAlpha(const AlphaReading& reading, Image& image,
-                                      std::vector<std::string>& notes);
+                                      std::vector<Sentence>& notes);
 
 /// For a header without fatal errors.
 [[nodiscard]] PixelFormat decodedFormat(const Header& header, AlphaRule rule);
@@ -53,7 +53,7 @@ public:
     [[nodiscard]] bool read(std::byte* to, std::size_t count);
 
     /// Adds a note if pixels used entries that the colour map does not have.
-    void describeStrays(std::vector<std::string>& notes) const;
+    void describeStrays(std::vector<Sentence>& notes) const;
 
     /// A pixel of `format` as a number: its first component in the lowest eight bits.
     using Packed = std::uint32_t;

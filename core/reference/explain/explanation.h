@@ -2,6 +2,7 @@
 
 // Why a pixel has its colour: every number from the scene to the bytes, as a value.
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/reference/explain/tap_places.h"
 #include "texplorer/reference/explain/ties.h"
 #include "texplorer/reference/sampling/sample_record.h"
@@ -96,7 +97,7 @@ struct UnitExplanation {
 /// A unit that is enabled but did nothing, with the reason as a sentence.
 struct IdleUnit {
     int unit = 0;
-    std::string reason;
+    Sentence reason;
 };
 
 enum class FragmentOutcome : std::uint8_t { Drawn, FailedAlphaTest, FailedDepthTest };
@@ -137,7 +138,7 @@ struct FragmentExplanation {
     int model = 0;
     Shape shape = Shape::Cube;
     std::uint32_t part = 0;                  ///< number of the triangle, line or point in the mesh
-    std::string face;                        ///< its name; empty: none
+    Sentence face;                           ///< its name; empty: none
     bool clipped = false;                    ///< cut by the near or far plane, or the edge of the guard band
     std::vector<VertexExplanation> vertices; ///< 3 for a triangle, 2 for a line, 1 for a point
 
@@ -182,7 +183,7 @@ struct Explanation {
     glm::vec4 color{0};                ///< the stored colour before rounding
     PixelBytes bytes{};                ///< the picture's bytes
     std::vector<PixelBytes> asRight{}; ///< other correct results, with ties decided differently
-    std::vector<std::string> problems; ///< sentences about what could not be drawn
+    std::vector<Sentence> problems;    ///< sentences about what could not be drawn
 
     /// The last fragment that was drawn: the visible one, unless it was blended. nullptr: the background.
     [[nodiscard]] const FragmentExplanation* seen() const {

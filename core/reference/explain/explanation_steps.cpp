@@ -26,10 +26,6 @@ std::string colorText(glm::vec4 c) {
     return fmt::format("{} {} {} {}", numberText(c.r), numberText(c.g), numberText(c.b), numberText(c.a));
 }
 
-std::string nameOf(const EnumRow& row) {
-    return std::string(row.name);
-}
-
 constexpr const char* switchedOff = word("off");
 
 /// The heading of a table with a column for each corner.
@@ -132,7 +128,8 @@ Step primaryStep(const FragmentExplanation& fragment) {
 
 Step environmentStep(const UnitExplanation& unit) {
     Step step{StepKind::Environment, unit.unit, "Environment", {}};
-    step.summary = fmt::format("{}: {}", nameOf(rowOf(unit.mode)), colorText(unit.result));
+    step.summary =
+        Sentence("{0}: {1}", ProperName{rowOf(unit.mode).name}, ProperName{colorText(unit.result)});
     step.swatch = unit.result;
     const auto input = [&](const char* label, glm::vec4 color) {
         StepRow row{label, {}, color};
@@ -153,15 +150,15 @@ Step environmentStep(const UnitExplanation& unit) {
         step.rows.push_back(
             {componentNames.at(std::min<std::size_t>(i, 2)), {{unit.equations.color.numbers[i]}}});
     step.rows.push_back({unit.equations.alpha.symbols, {}, {}, false, Ink::Dim});
-    for (const std::string& numbers : unit.equations.alpha.numbers)
+    for (const Sentence& numbers : unit.equations.alpha.numbers)
         step.rows.push_back({componentNames[3], {{numbers}}});
     if (unit.equations.undefined)
         step.rows.push_back(
             {unit.mode == EnvMode::Combine
-                 ? std::string("Undefined: an argument is the texture of a unit without a texture. The "
-                               "incoming colour is passed on.")
-                 : fmt::format("{} is undefined for {}: the incoming colour is passed on.",
-                               nameOf(rowOf(unit.mode)), nameOf(rowOf(unit.format))),
+                 ? Sentence("Undefined: an argument is the texture of a unit without a texture. The "
+                            "incoming colour is passed on.")
+                 : Sentence("{0} is undefined for {1}: the incoming colour is passed on.",
+                            ProperName{rowOf(unit.mode).name}, ProperName{rowOf(unit.format).name}),
              {},
              {},
              false,
@@ -183,10 +180,10 @@ Step colorSumStep(const FragmentExplanation& fragment) {
 Step fogStep(const FragmentExplanation& fragment, const FogExplanation& fog) {
     Step step{StepKind::Fog, -1, "Fog", colorText(fragment.color), fragment.color};
     const glm::vec4 color = glm::clamp(fog.state.color, 0.0F, 1.0F);
-    step.rows = {{word("mode"), {{nameOf(rowOf(fog.state.mode))}}},
+    step.rows = {{word("mode"), {{std::string(rowOf(fog.state.mode).name)}}},
                  {"c: distance from the eye's plane", {{numberText(fog.distance)}}},
                  {fog.equation.symbols, {}, {}, false, Ink::Dim}};
-    for (const std::string& numbers : fog.equation.numbers)
+    for (const Sentence& numbers : fog.equation.numbers)
         step.rows.push_back({"f", {{numbers}}});
     step.rows.push_back({"f, clamped", {{numberText(fog.factor)}}});
     step.rows.push_back({"Cr: before", {{colorText(fragment.summed)}}, fragment.summed});
@@ -209,8 +206,8 @@ Step testStep(StepKind kind, const char* title, const TestExplanation<T>& test, 
     Step step{kind, -1, title, switchedOff};
     if (!test.enabled)
         return step;
-    step.summary = fmt::format("{} {} {}: {}", value, nameOf(rowOf(test.function)), with,
-                               test.passed ? word("passed") : word("failed"));
+    step.summary = Sentence("{0} {1} {2}: {3}", ProperName{value}, ProperName{rowOf(test.function).name},
+                            ProperName{with}, test.passed ? word("passed") : word("failed"));
     step.rows = {{"of the fragment", {{value}}},
                  {kind == StepKind::AlphaTest ? "reference value" : "in the depth buffer", {{with}}},
                  {test.passed ? word("passed") : "failed: nothing is written",
@@ -243,11 +240,12 @@ Step blendStep(const FragmentExplanation& fragment) {
         return step;
     step.summary = colorText(blend.result);
     step.swatch = blend.result;
-    step.rows.push_back({fmt::format("source {}", colorText(blend.source)), {}, blend.source});
-    step.rows.push_back({indented(fmt::format("times {}", nameOf(rowOf(blend.sourceFactor)))),
+    step.rows.push_back({Sentence("source {0}", ProperName{colorText(blend.source)}), {}, blend.source});
+    step.rows.push_back({indented(Sentence("times {0}", ProperName{rowOf(blend.sourceFactor).name})),
                          {{colorText(blend.sourceWeight)}}});
-    step.rows.push_back({fmt::format("destination {}", colorText(blend.destination)), {}, blend.destination});
-    step.rows.push_back({indented(fmt::format("times {}", nameOf(rowOf(blend.destinationFactor)))),
+    step.rows.push_back(
+        {Sentence("destination {0}", ProperName{colorText(blend.destination)}), {}, blend.destination});
+    step.rows.push_back({indented(Sentence("times {0}", ProperName{rowOf(blend.destinationFactor).name})),
                          {{colorText(blend.destinationWeight)}}});
     for (int i = 0; i < 4; ++i)
         step.rows.push_back(
@@ -304,11 +302,11 @@ std::string columnText(float value, int digits) {
     return isZero && number.front() == '-' ? number.substr(1) : number;
 }
 
-std::string indented(std::string_view label) {
-    return fmt::format("  {}", label);
+Sentence indented(const Sentence& label) {
+    return Sentence("  {0}", label);
 }
 
-StepRow componentHeading(std::string label) {
+StepRow componentHeading(Sentence label) {
     StepRow row{std::move(label), {}, {}, true};
     for (const char* name : componentNames)
         row.cells.push_back({name, Ink::Dim});
@@ -325,10 +323,12 @@ std::string bytesText(const PixelBytes& bytes) {
 FragmentSteps stepsOf(const FragmentExplanation& fragment) {
     FragmentSteps text;
     const std::string shape(rowOf(fragment.shape).label);
-    const std::string place =
-        fragment.face.empty() || fragment.face == shape ? shape : fmt::format("{}, {}", shape, fragment.face);
-    text.title = fmt::format("{}, {} {} (models[{}], pass {})", place, partWords(fragment).name,
-                             fragment.part, fragment.model, fragment.pass);
+    const char* part = partWords(fragment).name;
+    text.title = fragment.face.empty() || fragment.face == shape
+                     ? Sentence("{0}, {1} {2} (models[{3}], pass {4})", shape, part, fragment.part,
+                                fragment.model, fragment.pass)
+                     : Sentence("{0}, {1}, {2} {3} (models[{4}], pass {5})", shape, fragment.face, part,
+                                fragment.part, fragment.model, fragment.pass);
     text.drawn = fragment.outcome == FragmentOutcome::Drawn;
     text.outcome = fragment.outcome == FragmentOutcome::FailedAlphaTest   ? "failed the alpha test"
                    : fragment.outcome == FragmentOutcome::FailedDepthTest ? "failed the depth test"
@@ -362,13 +362,13 @@ FragmentSteps stepsOf(const FragmentExplanation& fragment) {
     return text;
 }
 
-std::string cutSentence(const Explanation& explanation) {
+Sentence cutSentence(const Explanation& explanation) {
     const std::size_t count = explanation.fragments.size();
     return count == explanation.fragmentCount
-               ? std::string()
-               : fmt::format("{} fragments cover it. Numbers {} to {} are explained (at most {}).",
-                             explanation.fragmentCount, explanation.firstFragment + 1,
-                             explanation.firstFragment + count, maxExplainedFragments);
+               ? Sentence()
+               : Sentence("{0} fragments cover it. Numbers {1} to {2} are explained (at most {3}).",
+                          explanation.fragmentCount, explanation.firstFragment + 1,
+                          explanation.firstFragment + count, maxExplainedFragments);
 }
 
 int differenceOf(const PixelBytes& one, const PixelBytes& other) {

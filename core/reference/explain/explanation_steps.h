@@ -3,6 +3,7 @@
 // An Explanation as text, for terminals and windows: the stages of OpenGL in order, as steps that can be
 // collapsed.
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/reference/explain/explanation.h"
 #include "texplorer/text/word.h"
 
@@ -18,13 +19,13 @@ namespace texplorer::reference {
 enum class Ink : std::uint8_t { Plain, S, T, R, Q, Dim, Good, Bad };
 
 struct StepCell {
-    std::string text;
+    Sentence text;
     Ink ink = Ink::Plain;
 };
 
 /// A row of a small table; or a sentence, as a label without cells.
 struct StepRow {
-    std::string label;
+    Sentence label;
     std::vector<StepCell> cells{};
     std::optional<glm::vec4> swatch{}; ///< the colour that the row describes
     bool heading = false;              ///< contains the headings of the rows below
@@ -51,15 +52,15 @@ enum class StepKind : std::uint8_t {
 struct Step {
     StepKind kind = StepKind::Triangle;
     int unit = -1; ///< the texture unit that it describes; -1: none
-    std::string title;
-    std::string summary;               ///< the result
+    Sentence title;
+    Sentence summary;                  ///< the result
     std::optional<glm::vec4> swatch{}; ///< the same as a colour
     std::vector<StepRow> rows{};
 };
 
 struct FragmentSteps {
-    std::string title;   ///< "Sphere, Stack 3, triangle 17 (models[1], pass 0)"
-    std::string outcome; ///< "drawn", "failed the depth test"
+    Sentence title;   ///< "Sphere, Stack 3, triangle 17 (models[1], pass 0)"
+    Sentence outcome; ///< "drawn", "failed the depth test"
     bool drawn = true;
     std::vector<Step> steps;
 };
@@ -68,7 +69,7 @@ struct FragmentSteps {
 [[nodiscard]] std::vector<FragmentSteps> stepsOf(const Explanation& explanation);
 
 /// Tells which of a pixel's fragments are explained; empty: all.
-[[nodiscard]] std::string cutSentence(const Explanation& explanation);
+[[nodiscard]] Sentence cutSentence(const Explanation& explanation);
 
 /// Whether a renderer's pixel is a correct result of the reference with other decisions of ties, within
 /// `tolerance`.
@@ -81,10 +82,10 @@ struct FragmentSteps {
 inline constexpr std::array componentNames{word("red"), word("green"), word("blue"), word("alpha")};
 
 /// A label with leading spaces, which mark it as part of the row above.
-[[nodiscard]] std::string indented(std::string_view label);
+[[nodiscard]] Sentence indented(const Sentence& label);
 
 /// A row of component names as headings.
-[[nodiscard]] StepRow componentHeading(std::string label);
+[[nodiscard]] StepRow componentHeading(Sentence label);
 
 /// "181 90 12 255".
 [[nodiscard]] std::string bytesText(const PixelBytes& bytes);

@@ -27,7 +27,7 @@ StepRow heading(const char* label, int count) {
     return row;
 }
 
-StepRow coordinates(std::string label, glm::vec4 values, int count = 4, int digits = 4) {
+StepRow coordinates(Sentence label, glm::vec4 values, int count = 4, int digits = 4) {
     StepRow row{std::move(label)};
     for (int i = 0; i < count; ++i)
         row.cells.push_back({columnText(values[i], digits), coordinateInks.at(static_cast<std::size_t>(i))});
@@ -53,16 +53,16 @@ bool compares(const UnitExplanation& unit) {
 Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation& unit) {
     const int axes = compares(unit) ? 3 : coordinatesOf(unit.target);
     Step step{StepKind::Coordinates, unit.unit, "Texture coordinates", {}};
+    std::string coords;
     for (int i = 0; i < axes; ++i)
-        step.summary +=
-            fmt::format("{}{} {}", i > 0 ? ", " : "", coordinateNames.at(static_cast<std::size_t>(i)),
-                        numberText(unit.coords[i]));
+        coords += fmt::format("{}{} {}", i > 0 ? ", " : "", coordinateNames.at(static_cast<std::size_t>(i)),
+                              numberText(unit.coords[i]));
+    step.summary = ProperName{coords};
     const auto stage = [&](const char* title, glm::vec4 CoordinateSteps::*member) {
         step.rows.push_back(heading(title, 4));
         for (std::size_t i = 0; i < unit.vertices.size(); ++i)
-            step.rows.push_back(
-                coordinates(indented(fmt::format("at vertex {}", fragment.vertices[i].vertex)),
-                            unit.vertices[i].*member));
+            step.rows.push_back(coordinates(indented(Sentence("at vertex {0}", fragment.vertices[i].vertex)),
+                                            unit.vertices[i].*member));
         step.rows.push_back(coordinates(indented(word("here")), unit.pixel.*member));
     };
     stage(word("given"), &CoordinateSteps::given);
@@ -75,8 +75,8 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
         step.rows.push_back({"The image is upside down: t becomes q - t."});
     if (!generated.empty())
         step.rows.push_back({generated.size() > 1
-                                 ? fmt::format("{} are generated at each vertex.", generated)
-                                 : fmt::format("{} is generated at each vertex.", generated)});
+                                 ? Sentence("{0} are generated at each vertex.", ProperName{generated})
+                                 : Sentence("{0} is generated at each vertex.", ProperName{generated})});
     if (unit.flipped || !generated.empty())
         stage(word("generated"), &CoordinateSteps::generated);
     if (unit.matrix != glm::mat4(1))
@@ -85,12 +85,12 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
     if (unit.sample.cube) {
         const auto& [face, place, change] = *unit.sample.cube;
         step.rows.push_back(
-            coordinates(fmt::format("a direction, which hits face {} at", rowOf(cubeFaceAt(face)).label),
+            coordinates(Sentence("a direction, which hits face {0} at", rowOf(cubeFaceAt(face)).label),
                         glm::vec4(place, 0), 2));
         for (const Tie& tie : unit.ties.ties)
             if (tie.between == Tie::Between::Faces)
-                step.rows.push_back({fmt::format("It hits the edge of face {}: either face is correct.",
-                                                 rowOf(cubeFaceAt(tie.other)).label)});
+                step.rows.push_back({Sentence("It hits the edge of face {0}: either face is correct.",
+                                              rowOf(cubeFaceAt(tie.other)).label)});
     }
     if (unit.pixel.transformed.q < 0)
         step.rows.push_back({"q is below 0: this point is behind the projector."});
@@ -119,31 +119,29 @@ Step lodStep(const UnitExplanation& unit) {
     const Lod& lod = unit.sample.lod;
     const int axes = axesOf(unit.target);
     Step step{StepKind::LevelOfDetail, unit.unit, "Level of detail", {}};
-    step.summary =
-        fmt::format("lambda {}: {}", lambdaText(lod), lod.magnified ? word("magnified") : word("minified"));
+    step.summary = Sentence("lambda {0}: {1}", ProperName{lambdaText(lod)},
+                            lod.magnified ? word("magnified") : word("minified"));
     const Derivatives& change = unit.sample.cube ? unit.sample.cube->derivatives : unit.derivatives;
     step.rows.push_back(
         heading(unit.sample.cube ? "from pixel to pixel, on the face" : "from pixel to pixel", axes));
     step.rows.push_back(coordinates(indented("d/dx"), glm::vec4(change.dx, 0), axes, derivativeDigits));
     step.rows.push_back(coordinates(indented("d/dy"), glm::vec4(change.dy, 0), axes, derivativeDigits));
-    const auto value = [&](std::string label, double number) {
+    const auto value = [&](Sentence label, double number) {
         step.rows.push_back({std::move(label), {{amountText(static_cast<float>(number))}}});
     };
     value("texels a pixel, in x", lod.lengthX);
     value("texels a pixel, in y", lod.lengthY);
+    const std::string limit = numberText(unit.sampler.maxAnisotropy);
     if (lod.ellipse)
-        step.rows.push_back({fmt::format(
-            "anisotropic, up to {}: averaged over the ellipse that the pixel covers, whatever the filters "
-            "are",
-            numberText(unit.sampler.maxAnisotropy))});
+        step.rows.push_back({Sentence(
+            "anisotropic, up to {0}: averaged over the ellipse that the pixel covers, whatever the filters are",
+            ProperName{limit})});
     else if (lod.line)
-        value(
-            fmt::format("anisotropic, up to {}: samples of one level along a line, whatever the filters are",
-                        numberText(unit.sampler.maxAnisotropy)),
-            lod.probes);
+        value(Sentence("anisotropic, up to {0}: samples of one level along a line, whatever the filters are",
+                       ProperName{limit}),
+              lod.probes);
     else if (lod.probes > 1)
-        value(fmt::format("anisotropic, up to {}: probes", numberText(unit.sampler.maxAnisotropy)),
-              static_cast<float>(lod.probes));
+        value(Sentence("anisotropic, up to {0}: probes", ProperName{limit}), static_cast<float>(lod.probes));
     value(lod.ellipse || lod.line          ? "rho"
           : lod.probes > 1                 ? "rho = the longer, divided by the probes"
           : lod.method == RhoMethod::Lower ? "rho = the largest derivative of u, v and w"
@@ -160,21 +158,22 @@ Step lodStep(const UnitExplanation& unit) {
             {unit.sampler.lodBias != 0 && unit.lodBias != 0 ? "together clamped to" : "clamped to",
              {{numberText(lod.bias)}}});
     if (lod.lambda != lod.biased)
-        step.rows.push_back({fmt::format("clamped to {} ... {}", numberText(unit.sampler.minLod),
-                                         numberText(unit.sampler.maxLod)),
+        step.rows.push_back({Sentence("clamped to {0} ... {1}", ProperName{numberText(unit.sampler.minLod)},
+                                      ProperName{numberText(unit.sampler.maxLod)}),
                              {{lambdaText(lod)}}});
     if (!lod.ellipse && !lod.line)
         step.rows.push_back({whyMagnified(unit)});
     for (const Tie& tie : unit.ties.ties) {
         if (tie.between == Tie::Between::Levels)
             step.rows.push_back(
-                {fmt::format("lambda is half-way between level {} and level {}, within 1/64: either is "
-                             "correct.",
-                             std::min(tie.chosen, tie.other), std::max(tie.chosen, tie.other))});
+                {Sentence("lambda is half-way between level {0} and level {1}, within 1/64: either is "
+                          "correct.",
+                          std::min(tie.chosen, tie.other), std::max(tie.chosen, tie.other))});
         else if (tie.between == Tie::Between::Filters)
             step.rows.push_back(
-                {fmt::format("lambda is at the limit between {} and {}, within 1/64: either is correct.",
-                             rowOf(unit.sampler.magFilter).name, rowOf(unit.sampler.minFilter).name)});
+                {Sentence("lambda is at the limit between {0} and {1}, within 1/64: either is correct.",
+                          ProperName{rowOf(unit.sampler.magFilter).name},
+                          ProperName{rowOf(unit.sampler.minFilter).name})});
     }
     if (lod.undefined)
         step.rows.push_back({unit.sampler.minLod > unit.sampler.maxLod
@@ -187,15 +186,15 @@ Step lodStep(const UnitExplanation& unit) {
     return step;
 }
 
-std::string texelText(int index, int size, bool seamless) {
-    return index >= 0 && index < size ? fmt::format("texel {}", index)
+Sentence texelText(int index, int size, bool seamless) {
+    return index >= 0 && index < size ? Sentence("texel {0}", index)
            : seamless                 ? "the next face"
                                       : "the border";
 }
 
 /// What wrapping makes of a coordinate, and where that is in a row of texels: "1.5179 → clamped to 1 → × 8 =
 /// 8". Just below a whole number, which four digits would show, with all digits.
-std::string wrapText(const WrappedCoordinate& coordinate, int size) {
+Sentence wrapText(const WrappedCoordinate& coordinate, int size) {
     const auto n = static_cast<float>(size);
     const float u = coordinate.texels;
     const std::string texels = numberText(u, std::max(u, std::round(u)));
@@ -207,39 +206,45 @@ std::string wrapText(const WrappedCoordinate& coordinate, int size) {
     const float place = coordinate.wrap == Wrap::MirroredRepeat ? mirror(s)
                         : coordinate.wrap == Wrap::Repeat       ? s - std::floor(s)
                                                                 : u / n;
-    const std::string given = counts ? text(s) : fmt::format("{}, which counts as 0", coordinate.given);
+    const Sentence given =
+        counts ? Sentence(ProperName{text(s)}) : Sentence("{0}, which counts as 0", coordinate.given);
+    const auto scaled = [&](const std::string& product) {
+        return Sentence("{0} → × {1} = {2}", given, size, ProperName{product});
+    };
     if (coordinate.wrap == Wrap::Repeat)
-        return place == s ? fmt::format("{} → × {} = {}", given, size, texels)
-                          : fmt::format("{} → fraction {} → × {} = {}", given, text(place), size, texels);
+        return place == s ? scaled(texels)
+                          : Sentence("{0} → fraction {1} → × {2} = {3}", given, ProperName{text(place)}, size,
+                                     ProperName{texels});
     if (coordinate.wrap == Wrap::MirroredRepeat) {
         const bool isClamped = place * n != u;
         const std::string product = isClamped ? numberText(place * n, u) : texels;
-        const std::string steps =
-            place == s ? fmt::format("{} → × {} = {}", given, size, product)
-                       : fmt::format("{} → mirrored to {} → × {} = {}", given, text(place), size, product);
-        return isClamped ? fmt::format("{}, clamped to {}", steps, texels) : steps;
+        const Sentence steps = place == s ? scaled(product)
+                                          : Sentence("{0} → mirrored to {1} → × {2} = {3}", given,
+                                                     ProperName{text(place)}, size, ProperName{product});
+        return isClamped ? Sentence("{0}, clamped to {1}", steps, ProperName{texels}) : steps;
     }
-    return s * n == u ? fmt::format("{} → × {} = {}", given, size, texels)
-                      : fmt::format("{} → clamped to {} → × {} = {}", given, text(place), size, texels);
+    return s * n == u ? scaled(texels)
+                      : Sentence("{0} → clamped to {1} → × {2} = {3}", given, ProperName{text(place)}, size,
+                                 ProperName{texels});
 }
 
 /// The same, and which texel GL_NEAREST takes there.
-std::string nearestText(const WrappedCoordinate& coordinate, int size, bool seamless) {
-    const std::string steps = wrapText(coordinate, size);
+Sentence nearestText(const WrappedCoordinate& coordinate, int size, bool seamless) {
+    const Sentence steps = wrapText(coordinate, size);
     const int index = nearestTexel(coordinate.texels, size);
     if (index < 0 || index >= size)
-        return seamless ? fmt::format("{} → the next face", steps) : fmt::format("{} → the border", steps);
-    return coordinate.texels == static_cast<float>(size) ? fmt::format("{} → last texel, {}", steps, index)
-                                                         : fmt::format("{} → texel {}", steps, index);
+        return seamless ? Sentence("{0} → the next face", steps) : Sentence("{0} → the border", steps);
+    return coordinate.texels == static_cast<float>(size) ? Sentence("{0} → last texel, {1}", steps, index)
+                                                         : Sentence("{0} → texel {1}", steps, index);
 }
 
 /// Between which texels of a row a linear filter blends. The centre of texel i is at i + 0.5.
-std::string linearText(const WrappedCoordinate& coordinate, int size, bool seamless) {
+Sentence linearText(const WrappedCoordinate& coordinate, int size, bool seamless) {
     const float u = coordinate.texels;
     const auto [first, second, share] = linearTexels(coordinate.wrap, u, size);
-    return fmt::format("- 0.5 = {}: {} and {}, shares {} and {}", numberText(u - 0.5F),
-                       texelText(first, size, seamless), texelText(second, size, seamless),
-                       numberText(1 - share), numberText(share));
+    return Sentence("- 0.5 = {0}: {1} and {2}, shares {3} and {4}", ProperName{numberText(u - 0.5F)},
+                    texelText(first, size, seamless), texelText(second, size, seamless),
+                    ProperName{numberText(1 - share)}, ProperName{numberText(share)});
 }
 
 /// Whether a sample reads three texels where the cube has a corner and no fourth.
@@ -256,17 +261,18 @@ bool isAtCorner(const UnitExplanation& unit, int level, int size) {
 
 Step wrapStep(const UnitExplanation& unit) {
     Step step{StepKind::Wrap, unit.unit, "Levels and wrapping", {}};
+    std::vector<Sentence> levels;
     for (const LevelShare& share : unit.sample.levels)
-        step.summary.append(step.summary.empty() ? "" : ", ")
-            .append(unit.sample.levels.size() > 1
-                        ? fmt::format("level {}: {}", share.level, percent(share.weight))
-                        : fmt::format("level {}", share.level));
+        levels.push_back(unit.sample.levels.size() > 1
+                             ? Sentence("level {0}: {1}", share.level, ProperName{percent(share.weight)})
+                             : Sentence("level {0}", share.level));
+    step.summary = Sentence::joined("{0}, {1}", levels);
     for (const LevelExtent& extent : unit.extents) {
         std::string size = std::to_string(extent.size.x);
         for (int axis = 1; axis < axesOf(unit.target); ++axis)
             size += fmt::format(" × {}", extent.size[axis]);
         step.rows.push_back(
-            {fmt::format("level {}", extent.level), {{fmt::format("{} texels", size)}}, {}, true});
+            {Sentence("level {0}", extent.level), {{Sentence("{0} texels", ProperName{size})}}, {}, true});
         for (int axis = 0; axis < axesOf(unit.target); ++axis) {
             const auto i = static_cast<std::size_t>(axis);
             const auto found = std::ranges::find_if(unit.sample.wrapped, [&](const WrappedCoordinate& each) {
@@ -277,8 +283,8 @@ Step wrapStep(const UnitExplanation& unit) {
             const int row = extent.size[axis];
             const bool seamless = unit.sample.seamless;
             const bool isNearest = !isLinearHere(unit) && !unit.sample.lod.ellipse; // which weighs all in it
-            step.rows.push_back({indented(fmt::format("{}, {}", coordinateNames.at(i),
-                                                      seamless ? word("seamless") : rowOf(found->wrap).name)),
+            step.rows.push_back({indented(Sentence("{0}, {1}", ProperName{coordinateNames.at(i)},
+                                                   seamless ? word("seamless") : rowOf(found->wrap).name)),
                                  {{isNearest ? nearestText(*found, row, seamless) : wrapText(*found, row),
                                    coordinateInks.at(i)}}});
             if (isLinearHere(unit) && !unit.sample.lod.ellipse)
@@ -288,28 +294,28 @@ Step wrapStep(const UnitExplanation& unit) {
                        each.axis == axis && each.chosen == nearestTexel(found->texels, row);
             });
             if (tie != unit.ties.ties.end())
-                step.rows.push_back({"",
-                                     {{fmt::format("on the edge of {} and {}: either is correct",
-                                                   texelText(tie->chosen, row, seamless),
-                                                   texelText(tie->other, row, seamless)),
-                                       coordinateInks.at(i)}}});
+                step.rows.push_back(
+                    {"",
+                     {{Sentence("on the edge of {0} and {1}: either is correct",
+                                texelText(tie->chosen, row, seamless), texelText(tie->other, row, seamless)),
+                       coordinateInks.at(i)}}});
         }
         if (isAtCorner(unit, extent.level, extent.size.x))
             step.rows.push_back(
                 {"Three faces meet here: the mean of their texels replaces the missing fourth."});
     }
     if (unit.sample.probes.size() > 1)
-        step.rows.push_back({fmt::format("The first of {} probes is shown.", unit.sample.probes.size())});
+        step.rows.push_back({Sentence("The first of {0} probes is shown.", unit.sample.probes.size())});
     return step;
 }
 
-std::string placeText(const Tap& tap, Target target, bool severalLevels) {
+Sentence placeText(const Tap& tap, Target target, bool severalLevels) {
     std::string indices = std::to_string(tap.index.x);
     for (int axis = 1; axis < axesOf(target); ++axis)
         indices += fmt::format(", {}", tap.index[axis]);
-    const std::string place =
-        severalLevels ? fmt::format("level {} ({})", tap.level, indices) : fmt::format("({})", indices);
-    return target == Target::CubeMap ? fmt::format("{} {}", rowOf(cubeFaceAt(tap.index.z)).label, place)
+    const Sentence place = severalLevels ? Sentence("level {0} ({1})", tap.level, ProperName{indices})
+                                         : Sentence("({0})", ProperName{indices});
+    return target == Target::CubeMap ? Sentence("{0} {1}", rowOf(cubeFaceAt(tap.index.z)).label, place)
                                      : place;
 }
 
@@ -328,11 +334,12 @@ StepRow storedRow(const StoredTexel& stored) {
 }
 
 /// What a texel is not as the image's file has it, and why; empty where it is.
-std::string preparedSentence(const UnitExplanation& unit) {
-    std::string names;
+Sentence preparedSentence(const UnitExplanation& unit) {
+    std::vector<Sentence> names;
     for (const ImageOp op : unit.preparation)
-        names += (names.empty() ? "" : ", ") + std::string(rowOf(op).label);
-    return names.empty() ? names : fmt::format("The image was prepared: {}.", names);
+        names.emplace_back(rowOf(op).label);
+    return names.empty() ? Sentence()
+                         : Sentence("The image was prepared: {0}.", Sentence::joined("{0}, {1}", names));
 }
 
 /// Section 3.8.14.
@@ -345,7 +352,8 @@ Step depthsStep(const UnitExplanation& unit) {
     step.swatch = color;
     const std::string function(rowOf(unit.sampler.compareFunc).name);
     step.summary =
-        asks ? fmt::format("r {} the depth: {}", function, numberText(result)) : numberText(result);
+        asks ? Sentence("r {0} the depth: {1}", ProperName{function}, ProperName{numberText(result)})
+             : Sentence(numberText(result));
     const float r = comparedDepth(unit.coords.p);
     const bool isClose =
         asks && std::ranges::any_of(unit.sample.taps, [&](const Tap& tap) {
@@ -362,8 +370,8 @@ Step depthsStep(const UnitExplanation& unit) {
     const auto depthText = [&](float depth) { return columnText(depth, digits); };
     for (std::size_t i = 0; i < std::min(taps.size(), maxTapsShown); ++i) {
         const Tap& tap = taps[i];
-        const std::string place = placeText(tap, unit.target, unit.sample.levels.size() > 1);
-        StepRow row{tap.border ? fmt::format("{} border", place) : place,
+        const Sentence place = placeText(tap, unit.target, unit.sample.levels.size() > 1);
+        StepRow row{tap.border ? Sentence("{0} border", place) : place,
                     {{columnText(tap.weight)}, {depthText(tap.depth)}},
                     tap.color};
         if (asks) {
@@ -373,12 +381,12 @@ Step depthsStep(const UnitExplanation& unit) {
         step.rows.push_back(std::move(row));
     }
     if (taps.size() > maxTapsShown)
-        step.rows.push_back({fmt::format("and {} more with less weight", taps.size() - maxTapsShown)});
-    if (const std::string sentence = preparedSentence(unit); !sentence.empty())
+        step.rows.push_back({Sentence("and {0} more with less weight", taps.size() - maxTapsShown)});
+    if (const Sentence sentence = preparedSentence(unit); !sentence.empty())
         step.rows.push_back({sentence, {}, {}, false, Ink::Dim});
     step.rows.push_back(
         {asks ? "filtered: the share that passes" : word("filtered"), {{columnText(result)}}, color});
-    step.rows.push_back({fmt::format("as {}", rowOf(unit.sampler.depthMode).name),
+    step.rows.push_back({Sentence("as {0}", ProperName{rowOf(unit.sampler.depthMode).name}),
                          {{fmt::format("{} {} {} {}", numberText(color.r), numberText(color.g),
                                        numberText(color.b), numberText(color.a))}},
                          color});
@@ -400,9 +408,9 @@ Step texelsStep(const UnitExplanation& unit) {
     for (std::size_t i = 0; i < std::min(taps.size(), maxTapsShown); ++i) {
         const Tap& tap = taps[i];
         const bool across = unit.sample.seamless && tap.index.z != unit.sample.cube->face;
-        const std::string place = placeText(tap, unit.target, unit.sample.levels.size() > 1);
-        StepRow row{tap.border ? fmt::format("{} border", place)
-                    : across   ? fmt::format("{} across the edge", place)
+        const Sentence place = placeText(tap, unit.target, unit.sample.levels.size() > 1);
+        StepRow row{tap.border ? Sentence("{0} border", place)
+                    : across   ? Sentence("{0} across the edge", place)
                                : place,
                     {{columnText(tap.weight)}},
                     tap.color};
@@ -413,8 +421,8 @@ Step texelsStep(const UnitExplanation& unit) {
             step.rows.push_back(storedRow(*stored));
     }
     if (taps.size() > maxTapsShown)
-        step.rows.push_back({fmt::format("and {} more with less weight", taps.size() - maxTapsShown)});
-    for (const std::string& sentence : {preparedSentence(unit), storedSentence(unit.internalFormat)}) {
+        step.rows.push_back({Sentence("and {0} more with less weight", taps.size() - maxTapsShown)});
+    for (const Sentence& sentence : {preparedSentence(unit), storedSentence(unit.internalFormat)}) {
         if (!sentence.empty())
             step.rows.push_back({sentence, {}, {}, false, Ink::Dim});
     }
@@ -424,7 +432,7 @@ Step texelsStep(const UnitExplanation& unit) {
     step.rows.push_back(std::move(sum));
     for (const Tap& tap : unit.ties.others) {
         StepRow row{
-            fmt::format("also correct: {}", placeText(tap, unit.target, true)), {{"", Ink::Dim}}, tap.color};
+            Sentence("also correct: {0}", placeText(tap, unit.target, true)), {{"", Ink::Dim}}, tap.color};
         for (int c = 0; c < 4; ++c)
             row.cells.push_back({shorter(tap.color[c]), Ink::Dim});
         step.rows.push_back(std::move(row));
@@ -444,15 +452,15 @@ std::string lambdaText(const Lod& lod) {
     return numberText(lod.lambda, isByFilters ? lod.switchOver : std::floor(lod.lambda) + 0.5F);
 }
 
-std::string whyMagnified(const UnitExplanation& unit) {
+Sentence whyMagnified(const UnitExplanation& unit) {
     const Lod& lod = unit.sample.lod;
-    const std::string mag(rowOf(unit.sampler.magFilter).name);
-    const std::string min(rowOf(unit.sampler.minFilter).name);
-    const std::string c =
-        lod.switchOver > 0 ? fmt::format("{} (as {} meets {})", numberText(lod.switchOver), mag, min) : "0";
-    return lod.magnified
-               ? fmt::format("lambda is not above {}: the magnification filter decides, {}.", c, mag)
-               : fmt::format("lambda is above {}: the minification filter decides, {}.", c, min);
+    const ProperName mag{rowOf(unit.sampler.magFilter).name};
+    const ProperName min{rowOf(unit.sampler.minFilter).name};
+    const Sentence c = lod.switchOver > 0 ? Sentence("{0} (as {1} meets {2})",
+                                                     ProperName{numberText(lod.switchOver)}, mag, min)
+                                          : "0";
+    return lod.magnified ? Sentence("lambda is not above {0}: the magnification filter decides, {1}.", c, mag)
+                         : Sentence("lambda is above {0}: the minification filter decides, {1}.", c, min);
 }
 
 namespace {

@@ -12,7 +12,7 @@ namespace texplorer::reference {
 [[nodiscard]] std::string lambdaText(const Lod& lod);
 
 /// Why the sample is magnified or minified, as a sentence.
-[[nodiscard]] std::string whyMagnified(const UnitExplanation& unit);
+[[nodiscard]] Sentence whyMagnified(const UnitExplanation& unit);
 
 /// Merges taps of the same texel; if there are many, sorted by weight.
 [[nodiscard]] std::vector<Tap> mergedTaps(const SampleRecord& sample);

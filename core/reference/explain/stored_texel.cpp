@@ -3,8 +3,6 @@
 #include "texplorer/image/linear_light.h"
 #include "texplorer/image/stored_numbers.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -55,14 +53,14 @@ std::optional<StoredTexel> storedTexel(InternalFormat format, glm::vec4 color) {
     return stored;
 }
 
-std::string storedSentence(InternalFormat format) {
+Sentence storedSentence(InternalFormat format) {
     if (!isExplained(format))
         return {};
-    const std::string name(rowOf(format).name);
+    const ProperName name{rowOf(format).name};
     if (isSrgb(format))
-        return fmt::format(
-            "{} converts colours to light: c / 12.92 up to 0.04045, else ((c + 0.055) / 1.055)^2.4.", name);
-    return fmt::format("{} has few bits: a stored number is divided by the largest.", name);
+        return Sentence(
+            "{0} converts colours to light: c / 12.92 up to 0.04045, else ((c + 0.055) / 1.055)^2.4.", name);
+    return Sentence("{0} has few bits: a stored number is divided by the largest.", name);
 }
 
 } // namespace texplorer::reference

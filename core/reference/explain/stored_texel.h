@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/gl/internal_format.h"
 
 #include <glm/vec4.hpp>
@@ -21,6 +22,6 @@ struct StoredTexel {
 [[nodiscard]] std::optional<StoredTexel> storedTexel(InternalFormat format, glm::vec4 color);
 
 /// How the stored numbers are converted before filtering, as a sentence; empty where storedTexel is.
-[[nodiscard]] std::string storedSentence(InternalFormat format);
+[[nodiscard]] Sentence storedSentence(InternalFormat format);
 
 } // namespace texplorer::reference

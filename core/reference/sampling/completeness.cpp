@@ -26,23 +26,23 @@ Completeness checkFaces(const SampledTexture& texture, int number) {
     if (first->width != first->height)
         return {
             CompletenessRule::CubeFaces, number,
-            fmt::format(
-                "the texture is incomplete: the faces of a cube map must be square, and they have {} texels",
-                extents(first->size(), 2))};
+            Sentence(
+                "the texture is incomplete: the faces of a cube map must be square, and they have {0} texels",
+                ProperName{extents(first->size(), 2)})};
     for (int face = 1; face < facesOf(texture.target); ++face) {
         const Level* level = texture.level(number, face);
         const std::string name(rowOf(cubeFaceAt(face)).label);
         if (!level)
             return {
                 CompletenessRule::CubeFaces, number,
-                fmt::format("the texture is incomplete: a cube map has six faces, and {} is missing", name)};
+                Sentence("the texture is incomplete: a cube map has six faces, and {0} is missing", name)};
         if (level->size() != first->size() || level->border != first->border)
             return {
                 CompletenessRule::CubeFaces, number,
-                fmt::format(
-                    "the texture is incomplete: the faces of a cube map must have one size; +x has {} texels "
-                    "and {} {}",
-                    extents(first->size(), 2), name, extents(level->size(), 2))};
+                Sentence(
+                    "the texture is incomplete: the faces of a cube map must have one size; +x has {0} texels "
+                    "and {1} {2}",
+                    ProperName{extents(first->size(), 2)}, name, ProperName{extents(level->size(), 2)})};
     }
     return {};
 }
@@ -56,7 +56,7 @@ Completeness checkCompleteness(const SampledTexture& texture) {
     const Level* base = texture.level(first);
     if (!base)
         return {Rule::BaseLevelMissing, first,
-                fmt::format("the texture is incomplete: its base level is {}, which does not exist", first)};
+                Sentence("the texture is incomplete: its base level is {0}, which does not exist", first)};
     if (Completeness faces = checkFaces(texture, first); !faces.complete())
         return faces;
     if (!wantsMipmaps(texture.minFilter))
@@ -66,10 +66,10 @@ Completeness checkCompleteness(const SampledTexture& texture) {
     if (first > texture.maxLevel)
         return {
             Rule::BaseAboveMaxLevel, first,
-            fmt::format(
-                "the texture is incomplete: its base level {} exceeds its maximal level {}, and {} uses the "
+            Sentence(
+                "the texture is incomplete: its base level {0} exceeds its maximal level {1}, and {2} uses the "
                 "levels between them",
-                first, texture.maxLevel, filter)};
+                first, texture.maxLevel, ProperName{filter})};
     const int last = lastMipLevel(texture);
     for (int face = 0; face < facesOf(texture.target); ++face) {
         for (int at = first + 1; at <= last; ++at) {
@@ -77,10 +77,10 @@ Completeness checkCompleteness(const SampledTexture& texture) {
             if (!level)
                 return {
                     Rule::LevelMissing, at,
-                    fmt::format(
-                        "the texture is incomplete: {} needs the levels {} to {}, and level {} is missing; "
-                        "generate mipmaps, or choose {}",
-                        filter, first, last, at, rowOf(MinFilter::Linear).name)};
+                    Sentence(
+                        "the texture is incomplete: {0} needs the levels {1} to {2}, and level {3} is missing; "
+                        "generate mipmaps, or choose {4}",
+                        ProperName{filter}, first, last, at, ProperName{rowOf(MinFilter::Linear).name})};
             glm::ivec3 expected(1);
             for (int axis = 0; axis < axes; ++axis)
                 expected[axis] = std::max(1, base->size()[axis] >> (at - first));
@@ -89,13 +89,13 @@ Completeness checkCompleteness(const SampledTexture& texture) {
                 found[axis] = 1;
             if (found != expected)
                 return {Rule::LevelSize, at,
-                        fmt::format("the texture is incomplete: level {} should have {} texels and has {}",
-                                    at, extents(expected, axes), extents(found, axes))};
+                        Sentence("the texture is incomplete: level {0} should have {1} texels and has {2}",
+                                 at, ProperName{extents(expected, axes)}, ProperName{extents(found, axes)})};
             if (level->border != base->border)
                 return {
                     Rule::LevelBorder, at,
-                    fmt::format(
-                        "the texture is incomplete: level {} has a border of {} and the base level one of {}",
+                    Sentence(
+                        "the texture is incomplete: level {0} has a border of {1} and the base level one of {2}",
                         at, level->border, base->border)};
         }
     }

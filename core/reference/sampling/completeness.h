@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/reference/sampling/sampled_texture.h"
 
 #include <string>
@@ -20,8 +21,8 @@ enum class CompletenessRule : std::uint8_t {
 /// is drawn as if texturing were disabled.
 struct Completeness {
     CompletenessRule rule = CompletenessRule::Complete;
-    int level = 0;        ///< the level of the violation
-    std::string reason{}; ///< a sentence with a way to fix it; empty for a complete texture
+    int level = 0;     ///< the level of the violation
+    Sentence reason{}; ///< a sentence with a way to fix it; empty for a complete texture
 
     [[nodiscard]] bool complete() const { return rule == CompletenessRule::Complete; }
 };

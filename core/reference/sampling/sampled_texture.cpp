@@ -130,7 +130,7 @@ std::vector<std::int32_t> bytesOf(std::span<const glm::vec4> texels) {
 }
 
 Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevels& levels, Target target,
-                                      std::vector<std::string>& notes, const std::stop_token& stop) {
+                                      std::vector<Sentence>& notes, const std::stop_token& stop) {
     SampledTexture sampled;
     sampled.target = target;
     setFormat(sampled, levels);
@@ -157,8 +157,8 @@ Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevel
             level.bytes = bytesOf(level.texels);
     }
     if (levels.driverFormat)
-        notes.push_back(fmt::format("drivers compress differently: compressed to {} by Texplorer's encoder",
-                                    rowOf(*levels.driverFormat).name));
+        notes.push_back(Sentence("drivers compress differently: compressed to {0} by Texplorer's encoder",
+                                 ProperName{rowOf(*levels.driverFormat).name}));
     setParameters(sampled, texture, levels.lastLevel);
     return sampled;
 }

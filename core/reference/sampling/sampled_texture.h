@@ -84,7 +84,7 @@ struct SampledTexture : SamplerState {
 /// Makes the texture object: the parameters of `texture` with prepared levels. What a driver would compress
 /// is compressed by Texplorer's encoder, which a sentence in `notes` says. Errors: those of encodeBlocks.
 [[nodiscard]] Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevels& levels,
-                                                    Target target, std::vector<std::string>& notes,
+                                                    Target target, std::vector<Sentence>& notes,
                                                     const std::stop_token& stop = {});
 
 /// The same without parameters and texels: extents only, enough to check completeness.

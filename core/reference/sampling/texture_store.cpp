@@ -1,6 +1,5 @@
 #include "texplorer/reference/sampling/texture_store.h"
 
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/reference/sampling/completeness.h"
 
 #include <fmt/core.h>
@@ -27,9 +26,9 @@ TextureStore::Slot TextureStore::filled(TexturePictures pictures, Texture settin
     } else if (sampled.error().code == ErrorCode::Cancelled)
         return {};
     else
-        slot.notes = {fmt::format("{}; drawn without it", describe(sampled.error()))};
-    for (std::string& note : slot.notes)
-        note = fmt::format("{}: {}", where, note);
+        slot.notes = {Sentence("{0}; drawn without it", describe(sampled.error()))};
+    for (Sentence& note : slot.notes)
+        note = Sentence("{0}: {1}", ProperName{where}, note);
     slot.pictures = std::move(pictures);
     slot.settings = std::move(settings);
     return slot;
@@ -37,18 +36,19 @@ TextureStore::Slot TextureStore::filled(TexturePictures pictures, Texture settin
 
 const StoredTexture* TextureStore::prepare(const Scene& scene, std::size_t index, Target target,
                                            const ImageSource& images, const LevelWork& work,
-                                           std::vector<std::string>& problems) {
+                                           std::vector<Sentence>& problems) {
     const Texture& texture = scene.textures[index];
     const std::string where = fmt::format("textures[{}]", index);
-    const auto say = [&problems](const std::string& sentence) {
+    const auto say = [&problems](const Sentence& sentence) {
         if (std::ranges::find(problems, sentence) == problems.end())
             problems.push_back(sentence);
     };
     TexturePictures pictures = images.picturesOf(texture);
     if (!pictures.base || !hasPixels(*pictures.base)) {
-        say(fmt::format("{}: {}; drawn without it", where,
-                        texture.file.empty() ? "no file is chosen"
-                                             : fmt::format("{} is not loaded", texture.file)));
+        const Sentence reason = texture.file.empty()
+                                    ? Sentence("no file is chosen")
+                                    : Sentence("{0} is not loaded", ProperName{texture.file});
+        say(Sentence("{0}: {1}", ProperName{where}, Sentence("{0}; drawn without it", reason)));
         return nullptr;
     }
     Slot& slot = slots_[{index, target}];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/reference/sampling/sampled_texture.h"
 #include "texplorer/texture/image_source.h"
 
@@ -26,7 +27,7 @@ public:
     /// `problems`.
     [[nodiscard]] const StoredTexture* prepare(const Scene& scene, std::size_t index, Target target,
                                                const ImageSource& images, const LevelWork& work,
-                                               std::vector<std::string>& problems);
+                                               std::vector<Sentence>& problems);
 
     /// Removes textures that no unit of the scene samples: at 16 bytes per texel, they are not cached.
     void keepOnly(const Scene& scene);
@@ -37,7 +38,7 @@ private:
         Texture settings;         // from imageSettings
         StoredTexture texture;
         int lastLevel = 1000;
-        std::vector<std::string> notes; // repeated with every picture
+        std::vector<Sentence> notes; // repeated with every picture
         bool usable = false;
     };
     static Slot filled(TexturePictures pictures, Texture settings, Target target, const LevelWork& work,

@@ -54,7 +54,7 @@ const FunctionRow& rowOf(Function function) {
     return functionRows[static_cast<std::size_t>(function)];
 }
 
-std::string numbersOf(std::string_view symbols, const EnvironmentInputs& in, int component, float result) {
+Sentence numbersOf(std::string_view symbols, const EnvironmentInputs& in, int component, float result) {
     return withResult(inNumbers(symbols, {{"Cp", in.previous[component]},
                                           {"Cs", in.source[component]},
                                           {"Cc", in.constant[component]},

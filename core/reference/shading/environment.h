@@ -2,6 +2,7 @@
 
 // The texture environment: OpenGL 2.1, section 3.8.13.
 
+#include "texplorer/base/sentence.h"
 #include "texplorer/gl/environment.h"
 
 #include <glm/vec4.hpp>
@@ -45,7 +46,7 @@ struct EnvCell {
 /// An equation for users: "Cv = Cp * Cs" and, for red, "0.5 * 0.4 = 0.2".
 struct Equation {
     std::string symbols;
-    std::vector<std::string> numbers; ///< one for each component: 3 or 1
+    std::vector<Sentence> numbers; ///< one for each component: 3 or 1
 };
 
 /// The equations of the colour and of alpha, with their numbers.

@@ -32,10 +32,12 @@ std::string withHandSigns(std::string equation) {
     return equation;
 }
 
-std::string withResult(std::string_view numbers, float result) {
+Sentence withResult(std::string_view numbers, float result) {
     const float clamped = std::clamp(result, 0.0F, 1.0F);
     const std::string equation = fmt::format("{} = {}", numbers, shortNumber(result, clamped));
-    return clamped == result ? equation : fmt::format("{}, clamped to {}", equation, shortNumber(clamped));
+    return clamped == result
+               ? Sentence(ProperName{equation})
+               : Sentence("{0}, clamped to {1}", ProperName{equation}, ProperName{shortNumber(clamped)});
 }
 
 std::string inNumbers(std::string_view equation, std::initializer_list<Operand> operands) {

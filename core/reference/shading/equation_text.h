@@ -1,5 +1,7 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
+
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -15,7 +17,7 @@ struct Operand {
 [[nodiscard]] std::string inNumbers(std::string_view equation, std::initializer_list<Operand> operands);
 
 /// "0.5 * 0.4 = 0.2", with the clamp to 0 … 1 if it changes the result.
-[[nodiscard]] std::string withResult(std::string_view numbers, float result);
+[[nodiscard]] Sentence withResult(std::string_view numbers, float result);
 
 /// Replaces the operators by those of handwriting: "Cp × (1 − Cs)".
 [[nodiscard]] std::string withHandSigns(std::string equation);

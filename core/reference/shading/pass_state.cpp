@@ -29,7 +29,7 @@ UnitState unitState(const Pass& pass, const Unit& unit, const StoredTexture& sto
 
 std::vector<PassState> passStates(const Scene& scene, const ImageSource& images, double time,
                                   const LevelWork& work, const SampleOptions& sampling, TextureStore& store,
-                                  std::vector<std::string>& problems) {
+                                  std::vector<Sentence>& problems) {
     std::vector<PassState> states;
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
         const Pass& pass = scene.passes[i];
@@ -47,9 +47,9 @@ std::vector<PassState> passStates(const Scene& scene, const ImageSource& images,
             if (!unit.enabled)
                 continue;
             if (unit.texture < 0 || static_cast<std::size_t>(unit.texture) >= scene.textures.size()) {
-                problems.push_back(fmt::format(
-                    "passes[{}].units[{}]: there is no texture {}, the scene has {}; drawn without it", i, u,
-                    unit.texture, scene.textures.size()));
+                problems.push_back(Sentence(
+                    "passes[{0}].units[{1}]: there is no texture {2}, the scene has {3}; drawn without it", i,
+                    u, unit.texture, scene.textures.size()));
                 continue;
             }
             const StoredTexture* stored = store.prepare(scene, static_cast<std::size_t>(unit.texture),

@@ -51,6 +51,6 @@ struct PassState {
 /// drawn are added to `problems`.
 [[nodiscard]] std::vector<PassState> passStates(const Scene& scene, const ImageSource& images, double time,
                                                 const LevelWork& work, const SampleOptions& sampling,
-                                                TextureStore& store, std::vector<std::string>& problems);
+                                                TextureStore& store, std::vector<Sentence>& problems);
 
 } // namespace texplorer::reference

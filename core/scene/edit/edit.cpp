@@ -1,6 +1,5 @@
 #include "texplorer/scene/edit/edit.h"
 
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/key_edits.h"
 #include "texplorer/scene/params/keys.h"
 #include "texplorer/scene/params/params.h"

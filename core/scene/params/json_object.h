@@ -54,7 +54,7 @@ public:
             eachOf(key, *value, min, max, take);
     }
 
-    void refuse(const std::string& key, const std::string& expected);
+    void refuse(const std::string& key, const Sentence& expected);
     void say(ErrorCode code, const std::string& key, Sentence message);
     [[nodiscard]] std::string placeOf(std::string_view key) const;
     [[nodiscard]] std::optional<Error>& problem() { return problem_; }

@@ -119,7 +119,7 @@ private:
     bool numbersEnded(const Frame& ended);
     bool version(std::optional<std::int64_t> number, const std::string& text);
     bool store(const ParamRow& row, const Value& value);
-    std::string expected() const;
+    Sentence expected() const;
     std::string pointer() const;
 
     bool stop(ErrorCode code, Sentence message) {
@@ -158,14 +158,14 @@ std::string Reader::pointer() const {
     return text;
 }
 
-std::string Reader::expected() const {
+Sentence Reader::expected() const {
     if (frames_.empty())
         return "an object";
     const Frame& frame = frames_.back();
     switch (frame.kind) {
     case Frame::Kind::Object:
         if (frame.versionNext)
-            return fmt::format("version {}", sceneFormatVersion);
+            return Sentence("version {0}", sceneFormatVersion);
         if (frame.schemaNext)
             return "a text";
         if (frame.row)
@@ -178,8 +178,8 @@ std::string Reader::expected() const {
     case Frame::Kind::Elements: {
         const ElementNumbers numbers = *elementNumbers(frame.row->kind);
         return numbers.min == numbers.max
-                   ? fmt::format("an array of {} numbers", numbers.max)
-                   : fmt::format("an array of {} to {} numbers", numbers.min, numbers.max);
+                   ? Sentence("an array of {0} numbers", numbers.max)
+                   : Sentence("an array of {0} to {1} numbers", numbers.min, numbers.max);
     }
     case Frame::Kind::Indices:
         return "a whole number";

@@ -1,6 +1,5 @@
 #include "texplorer/scene/params/json_problem.h"
 
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/text/printable.h"
 #include "texplorer/text/utf8.h"
@@ -42,7 +41,7 @@ std::string foundText(std::string_view token) {
         return "a number";
     if (const std::size_t at = token.find(" literal"); at != std::string_view::npos)
         token = token.substr(0, at);
-    return std::string(token);
+    return printable(token);
 }
 
 bool isLetter(char each) {
@@ -66,42 +65,42 @@ std::string wordAt(std::string_view text, std::size_t position) {
     return word.empty() ? std::string() : fmt::format("'{}'", shortened(word));
 }
 
-std::string readableProblem(std::string_view said, std::string_view found) {
+Sentence readableProblem(std::string_view said, std::string_view found) {
     const bool isAfterTheEnd = said.ends_with(theEnd);
     said = said.substr(0, said.find("; last read")); // which may be long, and not even UTF-8
     if (!said.starts_with(beforeContext) && said.find(emptyInput) != std::string_view::npos)
-        return fmt::format("the file ends; expected {}", places.back().expected);
+        return Sentence("the file ends; expected {0}", places.back().expected);
     const std::size_t dash = said.find(" - ");
     if (!said.starts_with(beforeContext) || dash == std::string_view::npos)
-        return std::string(said);
+        return printable(said);
     const std::string_view context = said.substr(beforeContext.size(), dash - beforeContext.size());
     std::string_view problem = said.substr(dash + 3);
     const auto place = std::ranges::find(places, context, &Expectation::context);
     if (place == places.end())
-        return std::string(said);
+        return printable(said);
     if (problem == "invalid literal") // neither a word nor a sign that JSON has
-        return isAfterTheEnd ? fmt::format("expected the end of the file, found {}", found)
-                             : fmt::format("expected {}, found {}", place->expected, found);
+        return isAfterTheEnd ? Sentence("expected the end of the file, found {0}", ProperName{found})
+                             : Sentence("expected {0}, found {1}", place->expected, ProperName{found});
     if (!problem.starts_with(unexpected)) // "invalid string: missing closing quote"
-        return std::string(problem);
+        return printable(problem);
     problem.remove_prefix(unexpected.size());
     const std::size_t semicolon = problem.find("; expected ");
     const std::string_view token = problem.substr(0, semicolon);
     if (semicolon != std::string_view::npos && problem.substr(semicolon).ends_with(theEnd))
-        return fmt::format("expected the end of the file, found {}", foundText(token));
+        return Sentence("expected the end of the file, found {0}", foundText(token));
     if (token != theEnd)
-        return fmt::format("expected {}, found {}", place->expected, foundText(token));
-    return place->inside.empty() ? fmt::format("the file ends; expected {}", place->expected)
-                                 : fmt::format("the file ends in the middle of {}; expected {}",
-                                               place->inside, place->expected);
+        return Sentence("expected {0}, found {1}", place->expected, foundText(token));
+    return place->inside.empty()
+               ? Sentence("the file ends; expected {0}", place->expected)
+               : Sentence("the file ends in the middle of {0}; expected {1}", place->inside, place->expected);
 }
 
-std::string mistakeIn(int exception, std::string_view said, std::string_view found) {
+Sentence mistakeIn(int exception, std::string_view said, std::string_view found) {
     constexpr int numberOverflow = 406;
     if (exception == numberOverflow)
         return "expected a smaller number";
     const std::size_t syntax = said.find("syntax error");
-    return printable(readableProblem(syntax == std::string_view::npos ? said : said.substr(syntax), found));
+    return readableProblem(syntax == std::string_view::npos ? said : said.substr(syntax), found);
 }
 
 } // namespace texplorer

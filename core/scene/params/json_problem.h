@@ -1,7 +1,8 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
+
 #include <cstddef>
-#include <string>
 #include <string_view>
 
 namespace texplorer {
@@ -10,12 +11,12 @@ namespace texplorer {
 /// unexpected end of input; expected string literal") for authors of files: "the file ends in the middle of
 /// an object; expected a key in quotes". Unknown messages are returned unchanged. `found`: wordAt, for what
 /// is no JSON.
-[[nodiscard]] std::string readableProblem(std::string_view said, std::string_view found);
+[[nodiscard]] Sentence readableProblem(std::string_view said, std::string_view found);
 
 /// The same of the whole text of one of the library's exceptions: "[json.exception.parse_error.101] parse
 /// error at line 1, column 2: syntax error …; last read: '…'", which may be long, and not even UTF-8.
 /// `found`: wordAt.
-[[nodiscard]] std::string mistakeIn(int exception, std::string_view said, std::string_view found);
+[[nodiscard]] Sentence mistakeIn(int exception, std::string_view said, std::string_view found);
 
 /// What stands where the library has stopped, after `position` bytes of a text: "'NaN'", "','", printable;
 /// empty: the text has ended.

@@ -1,5 +1,6 @@
 #include "texplorer/scene/params/param_listing.h"
 
+#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/json.h"
 #include "texplorer/scene/params/param_json.h"
 #include "texplorer/scene/params/params.h"

@@ -125,14 +125,14 @@ private:
     }
 
     /// Where there is no such key: one that is close, or a parameter below it that has that name.
-    std::string suggested(std::string_view key) const {
+    Sentence suggested(std::string_view key) const {
         const std::vector<std::string_view> keys = tableKeys(*place_.table);
         if (!dotted_ && nearestName(key, keys).empty()) {
             const std::string below = pathBelow(*place_.table, key);
             if (!below.empty()) {
                 const std::size_t dot = walked_.rfind('.');
                 const std::string before = dot == std::string::npos ? "" : walked_.substr(0, dot + 1);
-                return fmt::format("did you mean {}{}?", before, below);
+                return Sentence("did you mean {0}?", ProperName{before + below});
             }
         }
         return suggestName(key, keys);
@@ -162,9 +162,9 @@ private:
 
     Result<void> enter(const ChildRow& child, const Part& part) {
         if (child.indexed != part.index.has_value())
-            return refuse(child.indexed
-                              ? Sentence("an index is needed, as in {0}[0]; {1}", child.key, has(child))
-                              : "it is not a list: expected no index");
+            return refuse(child.indexed ? Sentence("an index is needed, as in {0}[0]; {1}",
+                                                   ProperName{child.key}, has(child))
+                                        : "it is not a list: expected no index");
         std::size_t index = 0;
         if (part.index) {
             const auto parsed = parseIndex(*part.index);
@@ -184,8 +184,8 @@ private:
     }
 
     /// "the scene has 1"
-    std::string has(const ChildRow& child) const {
-        return fmt::format("the {} has {}", lowerFirst(place_.table->name), child.size(place_.owner));
+    Sentence has(const ChildRow& child) const {
+        return Sentence("the {0} has {1}", lowerFirst(place_.table->name), child.size(place_.owner));
     }
 
     tl::unexpected<Error> refuse(Sentence message) const {

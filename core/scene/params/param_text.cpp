@@ -4,8 +4,6 @@
 #include "texplorer/text/printable.h"
 #include "texplorer/text/utf8.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -43,13 +41,13 @@ std::string inQuotes(std::string_view text) {
     return '"' + shortened(text) + '"';
 }
 
-std::string suggestName(std::string_view text, const std::vector<std::string_view>& names) {
+Sentence suggestName(std::string_view text, const std::vector<std::string_view>& names) {
     if (const std::string_view near = nearestName(text, names); !near.empty())
-        return fmt::format("did you mean {}?", inQuotes(near));
+        return Sentence("did you mean {0}?", ProperName{inQuotes(near)});
     std::string all;
     for (const std::string_view name : names)
         all.append(all.empty() ? "" : ", ").append(name);
-    return fmt::format("expected one of {}", all);
+    return Sentence("expected one of {0}", ProperName{all});
 }
 
 } // namespace texplorer

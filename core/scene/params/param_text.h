@@ -27,7 +27,7 @@ namespace texplorer {
 [[nodiscard]] std::string shortened(std::string_view text);
 
 /// `did you mean "minFilter"?`, or else `expected one of a, b, c`.
-[[nodiscard]] std::string suggestName(std::string_view text, const std::vector<std::string_view>& names);
+[[nodiscard]] Sentence suggestName(std::string_view text, const std::vector<std::string_view>& names);
 
 /// How many numbers per vertex an element of a list has: up to `max`; the last ones beyond `min` can be left
 /// out if they equal those of `rest`.

@@ -14,14 +14,14 @@
 namespace texplorer {
 namespace {
 
-std::string withUnit(const Range& range) {
-    std::string text = fmt::format("from {} to {}", formatNumber(range.min), formatNumber(range.max));
-    if (!range.unit.empty())
-        text.append(" ").append(range.unit);
-    return text;
+Sentence withUnit(const Range& range) {
+    const std::string min = formatNumber(range.min);
+    const std::string max = formatNumber(range.max);
+    return range.unit.empty() ? Sentence("from {0} to {1}", ProperName{min}, ProperName{max})
+                              : Sentence("from {0} to {1} {2}", ProperName{min}, ProperName{max}, range.unit);
 }
 
-Result<void> refuse(const ParamRow& row, const std::string& found) {
+Result<void> refuse(const ParamRow& row, const Sentence& found) {
     return fail(ErrorCode::OutOfRange, Sentence("expected {0}, found {1}", describeAccepted(row), found));
 }
 
@@ -69,7 +69,7 @@ Result<void> checkComponents(const ParamRow& row, const Vector& vector) {
 
 Result<void> checkText(const ParamRow& row, const std::string& text) {
     if (text.size() > maxTextBytes)
-        return refuse(row, fmt::format("{} bytes", text.size()));
+        return refuse(row, Sentence("{0} bytes", text.size()));
     if (text.find('\0') != std::string::npos)
         return refuse(row, "a zero byte in it");
     if (!isUtf8(text))
@@ -101,7 +101,7 @@ Result<void> checkElements(const ParamRow& row, const std::vector<glm::vec4>& li
     for (std::size_t i = 0; i < list.size(); ++i)
         for (int c = 0; c < 4; ++c)
             if (!fits(list[i][c]))
-                return refuse(row, fmt::format("{} at vertex {}", formatNumber(list[i][c]), i));
+                return refuse(row, Sentence("{0} at vertex {1}", ProperName{formatNumber(list[i][c])}, i));
     return {};
 }
 
@@ -312,39 +312,39 @@ Result<glm::vec4> parseTexCoord(std::string_view text) {
                 Sentence("expected 2 to 4 finite numbers separated by commas, found {0}", inQuotes(text)));
 }
 
-std::string describeAccepted(const ParamRow& row) {
+Sentence describeAccepted(const ParamRow& row) {
     switch (row.kind) {
     case Kind::Bool:
         return "true or false";
     case Kind::Int:
-        return fmt::format("a whole number {}", withUnit(row.range));
+        return Sentence("a whole number {0}", withUnit(row.range));
     case Kind::Float:
-        return fmt::format("a number {}", withUnit(row.range));
+        return Sentence("a number {0}", withUnit(row.range));
     case Kind::Vec3:
-        return fmt::format("3 numbers, each {}", withUnit(row.range));
+        return Sentence("3 numbers, each {0}", withUnit(row.range));
     case Kind::Vec4:
-        return fmt::format("4 numbers, each {}", withUnit(row.range));
+        return Sentence("4 numbers, each {0}", withUnit(row.range));
     case Kind::Color:
-        return fmt::format("4 numbers (red, green, blue, alpha), each {}", withUnit(row.range));
+        return Sentence("4 numbers (red, green, blue, alpha), each {0}", withUnit(row.range));
     case Kind::Enum:
-        return fmt::format("one of {}", listNames(row.choices));
+        return Sentence("one of {0}", ProperName{listNames(row.choices)});
     case Kind::Text:
         if (row.member == memberId<&KeyFrame::value>)
-            return fmt::format(
-                "a number between -3.4e38 and 3.4e38, an array of up to 16, true, false or UTF-8 text of at most {} bytes",
+            return Sentence(
+                "a number between -3.4e38 and 3.4e38, an array of up to 16, true, false or UTF-8 text of at most {0} bytes",
                 maxTextBytes);
-        return fmt::format("UTF-8 text of at most {} bytes", maxTextBytes);
+        return Sentence("UTF-8 text of at most {0} bytes", maxTextBytes);
     case Kind::Matrix:
-        return fmt::format("16 numbers, each {}", withUnit(row.range));
+        return Sentence("16 numbers, each {0}", withUnit(row.range));
     case Kind::PointList:
         return "3 finite numbers for each vertex";
     case Kind::ColorList:
-        return fmt::format("3 or 4 numbers (red, green, blue, alpha) for each vertex, each {}",
-                           withUnit(row.range));
+        return Sentence("3 or 4 numbers (red, green, blue, alpha) for each vertex, each {0}",
+                        withUnit(row.range));
     case Kind::TexCoordList:
         return "2 to 4 finite numbers for each vertex";
     case Kind::IndexList:
-        return fmt::format("whole numbers, each {}", withUnit(row.range));
+        return Sentence("whole numbers, each {0}", withUnit(row.range));
     }
     return {};
 }
@@ -370,7 +370,7 @@ Result<void> checkValue(const ParamRow& row, const Value& value) {
         return checkComponents(row, std::get<glm::vec4>(value));
     case Kind::Enum:
         if (!findRow(row.choices, std::get<EnumValue>(value).number))
-            return refuse(row, fmt::format("the number {}", std::get<EnumValue>(value).number));
+            return refuse(row, Sentence("the number {0}", std::get<EnumValue>(value).number));
         return {};
     case Kind::Text:
         return checkText(row, std::get<std::string>(value));
@@ -426,13 +426,13 @@ Result<Value> parseValue(const ParamRow& row, std::string_view text) {
     const bool exact = row.kind == Kind::Text || row.kind == Kind::Enum;
     const auto value = readValue(row, exact ? text : trim(text));
     if (!value) {
-        std::string found = inQuotes(text);
+        Sentence found = ProperName{inQuotes(text)};
         if (row.kind == Kind::Enum) {
             std::vector<std::string_view> names;
             for (const EnumRow& choice : row.choices)
                 names.push_back(choice.name);
             if (const auto near = nearestName(text, names); !near.empty())
-                found += fmt::format("; did you mean {}?", inQuotes(near));
+                found = Sentence("{0}; did you mean {1}?", found, ProperName{inQuotes(near)});
         }
         return fail(refuse(row, found).error());
     }

@@ -138,7 +138,7 @@ inline constexpr std::size_t maxTextBytes = 4096;
 
 /// The accepted values of a row, as the end of a sentence: "a number from 1 to 16", "one of GL_NEAREST,
 /// GL_LINEAR".
-[[nodiscard]] std::string describeAccepted(const ParamRow& row);
+[[nodiscard]] Sentence describeAccepted(const ParamRow& row);
 
 /// Checks a value: its type, its range, finite, an existing enumerator. The error says what is accepted; its
 /// `where` is empty.

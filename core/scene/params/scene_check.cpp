@@ -1,6 +1,5 @@
 #include "texplorer/scene/params/scene_check.h"
 
-#include "texplorer/base/count.h"
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/keys.h"
 #include "texplorer/scene/params/param_text.h"
@@ -67,8 +66,9 @@ Result<void> checkPassModels(const Scene& scene, const Pass& pass) {
     for (std::size_t i = 0; i < pass.models.size(); ++i) {
         const int model = pass.models[i];
         if (static_cast<std::size_t>(model) >= scene.models.size())
-            return refuseElement(i, Sentence("there is no model {0}, the scene has {1}", model,
-                                             countOf(scene.models.size(), "model")));
+            return refuseElement(i,
+                                 Sentence("there is no model {0}, the scene has {1}", model,
+                                          Sentence::plural("{0} model", "{0} models", scene.models.size())));
         const auto end = pass.models.begin() + static_cast<std::ptrdiff_t>(i);
         if (std::find(pass.models.begin(), end, model) != end)
             return refuseElement(i, Sentence("expected each model once, found {0} twice", model));
@@ -91,7 +91,7 @@ Result<void> checkUnitTexture(const Scene& scene, const Unit& unit) {
         return {};
     return fail(ErrorCode::OutOfRange,
                 Sentence("an enabled unit needs an existing texture: it uses number {0}, the scene has {1}",
-                         unit.texture, countOf(count, "texture")));
+                         unit.texture, Sentence::plural("{0} texture", "{0} textures", count)));
 }
 
 Result<void> checkTogether(const Scene& scene) {

@@ -1,6 +1,5 @@
 #include "texplorer/scene/params/scene_diff.h"
 
-#include "texplorer/base/count.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/scene/params/params.h"
 #include "texplorer/scene/params/scene_check.h"
@@ -65,15 +64,15 @@ std::size_t firstDifference(const Value& a, const Value& b) {
 }
 
 /// A value as text, of a long list the first element that the other one hasn't.
-std::string textBeside(const ParamRow& row, const Value& value, const Value& other) {
+Sentence textBeside(const ParamRow& row, const Value& value, const Value& other) {
     const std::size_t count = listSize(value);
     if (!isList(row.kind) || std::max(count, listSize(other)) <= shortList)
-        return formatValue(row, value);
+        return ProperName{formatValue(row, value)};
     const std::size_t first = firstDifference(value, other);
     if (first >= std::min(count, listSize(other)))
-        return countOf(count, "element");
-    return fmt::format("[{}] {} of {}", first, formatValue(row, elementAt(row, value, first)),
-                       countOf(count, "element"));
+        return Sentence::plural("{0} element", "{0} elements", count);
+    return Sentence("[{0}] {1} of {2}", first, ProperName{formatValue(row, elementAt(row, value, first))},
+                    Sentence::plural("{0} element", "{0} elements", count));
 }
 
 void copyStruct(const StructTable& table, void* to, void* from) {
@@ -109,8 +108,9 @@ std::vector<SceneChange> changesBetween(const Scene& from, const Scene& to) {
                                          textBeside(row, after, before)});
               },
               [&](const std::string& path, const ChildRow& child, void* a, void* b) {
-                  changes.push_back({path, std::string(child.label), countOf(child.size(a), "element"),
-                                     countOf(child.size(b), "element"), true});
+                  changes.push_back({path, std::string(child.label),
+                                     Sentence::plural("{0} element", "{0} elements", child.size(a)),
+                                     Sentence::plural("{0} element", "{0} elements", child.size(b)), true});
               }});
     return changes;
 }

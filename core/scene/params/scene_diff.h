@@ -15,8 +15,8 @@ struct SceneChange {
     std::string path;  ///< "textures[0].wrapS"; for a list: "textures"
     std::string label; ///< "Wrap s"
     /// "GL_REPEAT"; for a list's length "2 elements", for a long list the first element that differs.
-    std::string from;
-    std::string to;
+    Sentence from;
+    Sentence to;
     bool isLength = false; ///< elements that only one scene has are not listed further
 
     bool operator==(const SceneChange&) const = default;

@@ -1,6 +1,5 @@
 #include "texplorer/scene/params/timeline_check.h"
 
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/keys.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/scene/params/scene_check.h"
@@ -46,9 +45,9 @@ Result<void> checkTextures(const Scene& scene) {
             for (std::size_t u = 0; u < maxUnits; ++u)
                 if (auto fits = checkUnitTexture(standing, standing.passes[p].units[u]); !fits)
                     return fail(fits.error().code,
-                                Sentence("{0}.{1}, at {2} s: {3}", elementOf<&Scene::passes>(p),
-                                         elementOf<&Pass::units>(u), formatNumber(time),
-                                         fits.error().message));
+                                Sentence("{0}.{1}, at {2} s: {3}", ProperName{elementOf<&Scene::passes>(p)},
+                                         ProperName{elementOf<&Pass::units>(u)},
+                                         ProperName{formatNumber(time)}, fits.error().message));
     }
     return {};
 }
@@ -60,9 +59,11 @@ Result<void> checkKey(const Scene& scene, const KeyFrame& key) {
         return fail(ErrorCode::OutOfRange,
                     "expected the path of a parameter, as \"view.azimuth\", found none", "/path");
     if (const auto row = rowAt(scene, key.path); !row)
-        return fail(row.error().code, Sentence("{0}: {1}", row.error().where, row.error().message), "/path");
+        return fail(row.error().code,
+                    Sentence("{0}: {1}", ProperName{row.error().where}, row.error().message), "/path");
     if (auto fits = checkMovable(scene, key.path, key.value); !fits)
-        return fail(fits.error().code, Sentence("{0}: {1}", shortened(key.path), fits.error().message),
+        return fail(fits.error().code,
+                    Sentence("{0}: {1}", ProperName{shortened(key.path)}, fits.error().message),
                     isOfTimeline(scene, key.path) ? "/path" : "/value");
     return {};
 }

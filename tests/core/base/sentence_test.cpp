@@ -3,6 +3,11 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
 namespace texplorer::sentence_test {
 namespace {
 
@@ -38,6 +43,33 @@ TEST(Sentence, ATextIsItsOwnKey) {
     EXPECT_EQ(sentence.key(), "");
     EXPECT_THAT(sentence.arguments(), testing::IsEmpty());
     EXPECT_EQ(fmt::format("{}.", sentence), "not enough memory.");
+}
+
+TEST(Sentence, HasThePluralOfANumber) {
+    EXPECT_EQ(Sentence::plural("{0} byte", "{0} bytes", 0), "0 bytes");
+    EXPECT_EQ(Sentence::plural("{0} byte", "{0} bytes", 1), "1 byte");
+    EXPECT_EQ(Sentence::plural("{0} bit", "{0} bits", std::uint8_t{65}), "65 bits");
+    EXPECT_EQ(
+        Sentence::plural("{0} texel", "{0} texels", std::numeric_limits<std::uint64_t>::max()).english(),
+        "18446744073709551615 texels");
+    EXPECT_EQ(Sentence::plural("{0} level of {1}", "{0} levels of {1}", 2U, "brick").key(),
+              "{0} levels of {1}");
+}
+
+TEST(Sentence, JoinsSentences) {
+    EXPECT_EQ(Sentence::joined("{0}, {1}", {}), "");
+    const std::vector<Sentence> all{"a", ProperName{"b"}, {"c {0}", 1}};
+    EXPECT_EQ(Sentence::joined("{0}, {1}", std::span(all).first(1)), "a");
+    const Sentence joined = Sentence::joined("{0}, {1}", all);
+    EXPECT_EQ(joined, "a, b, c 1");
+    EXPECT_EQ(joined.arguments().back().key(), "c {0}");
+}
+
+TEST(Sentence, InsertsItsArgumentsIntoAnotherForm) {
+    const Sentence sentence("{0} from {1:.1f} to {0}", "a", 0.25);
+    const auto marked = [](const Sentence& argument) { return "<" + argument.english() + ">"; };
+    EXPECT_EQ(sentence.in("{1:.1f}: {0} {{0}}", marked), "<0.2>: <a> {0}");
+    EXPECT_EQ(sentence.in("{7} {", marked), " {") << "no such argument";
 }
 
 } // namespace

@@ -123,7 +123,7 @@ TEST(Sweep, FindsThatTheReferenceAgreesWithItself) {
 /// Draws as the reference does and reports a problem for each scene.
 class Complainer : public Renderer {
 public:
-    explicit Complainer(std::vector<std::string> problems)
+    explicit Complainer(std::vector<Sentence> problems)
         : problems_(std::move(problems)) {}
     Result<Frame> draw(const Scene& scene) override {
         Result<Frame> frame = reference_->draw(scene);
@@ -132,14 +132,14 @@ public:
     }
 
 private:
-    std::vector<std::string> problems_;
+    std::vector<Sentence> problems_;
     std::unique_ptr<Renderer> reference_ = referenceRenderer();
 };
 
 TEST(Sweep, NamesTheProblemThatOnlyOneHas) {
     SweepOptions options = optionsFor({findFeature("wrap")}, 4);
     options.pairs = {Pair{RendererKind::Shader, RendererKind::Fixed}};
-    const auto problemOf = [&](std::vector<std::string> fixed, std::vector<std::string> shader) {
+    const auto problemOf = [&](std::vector<Sentence> fixed, std::vector<Sentence> shader) {
         Complainer one(std::move(fixed));
         Complainer other(std::move(shader));
         return sweep(options, {&one, &other})->pairs[0].outcomes[0].problem;

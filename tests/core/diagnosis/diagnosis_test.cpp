@@ -979,7 +979,7 @@ TEST(DiagnosisOfAll, EveryPathIsThatOfAParameterOrOfAStruct) {
     for (const Finding& each : findings) {
         EXPECT_TRUE(paths.contains(each.path)) << each.path;
         EXPECT_FALSE(each.sentence.empty()) << each.path;
-        EXPECT_FALSE(each.sentence.ends_with('.')) << each.sentence;
+        EXPECT_FALSE(each.sentence.english().ends_with('.')) << each.sentence;
     }
     EXPECT_TRUE(std::ranges::is_sorted(findings, {}, &Finding::severity));
 }

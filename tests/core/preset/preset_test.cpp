@@ -38,7 +38,7 @@ std::vector<std::string> wrongIn(const Scene& scene) {
     std::vector<std::string> wrong;
     for (const Finding& each : diagnose(scene, {})) {
         if (each.severity <= Severity::Warning)
-            wrong.push_back(each.path + ": " + each.sentence);
+            wrong.push_back(each.path + ": " + each.sentence.english());
     }
     return wrong;
 }

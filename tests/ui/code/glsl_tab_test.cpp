@@ -16,7 +16,7 @@ using testing::HasSubstr;
 class GlslTab : public Workbench {
 protected:
     /// The picture without OpenGL's shaders has no source: they are made while they draw.
-    void look(const testing::Matcher<std::vector<std::string>>& problems = testing::IsEmpty()) {
+    void look(const testing::Matcher<std::vector<Sentence>>& problems = testing::IsEmpty()) {
         session->window.wantedTab = Tab::Glsl;
         frames(3); // the tab comes to the front
         for (int i = 0; i < 3; ++i)

@@ -73,7 +73,7 @@ TEST_F(BlockFlipFigure, SixAndTenRowsCannotBe) {
     EXPECT_EQ(state().steps.back().act, FlipStep::Act::Recompress);
     click("flip:step 4");
     EXPECT_TRUE(has("flip:row 0 of step 4 is 5"));
-    const std::vector<std::string> words = flipSentences(state().steps, 3);
+    const std::vector<Sentence> words = flipSentences(state().steps, 3);
     EXPECT_EQ(words.back(),
               "Wrong: the image begins with 2 unused rows, and has lost as many rows of its own.");
     click("flip:height 10");

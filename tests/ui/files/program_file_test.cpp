@@ -20,7 +20,7 @@ protected:
         session.asking.flavour = flavour;
         EXPECT_TRUE(saveProgram(session, file));
         const std::optional<FileNews> news = services.lend().writing->takeNews();
-        said = news ? news->text : std::string();
+        said = news ? news->text.english() : std::string();
         return readText(file).value_or("");
     }
 

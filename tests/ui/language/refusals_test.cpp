@@ -57,7 +57,7 @@ Scene edited(const Refusal& refusal) {
 class Refusals : public test::Workbench, public testing::WithParamInterface<Language> {
 protected:
     /// No word of it is English but names of parameters and of OpenGL.
-    static void expectTranslated(const std::string& english, std::string_view sentence) {
+    static void expectTranslated(const Sentence& english, std::string_view sentence) {
         const std::string shown = tr(english);
         EXPECT_THAT(shown, Not(HasSubstr(std::string(sentence)))) << shown;
         for (const char* word : {" has ", " no ", " the ", " of ", " can't "})

@@ -48,7 +48,7 @@ std::string listOf(const std::set<std::string, std::less<>>& gaps) {
 }
 
 void lookUp(const Catalogue& catalogue, std::string_view text, std::set<std::string, std::less<>>& gaps) {
-    if (!text.empty() && !catalogue.translate(text))
+    if (!text.empty() && !catalogue.find(text))
         gaps.emplace(text);
 }
 
@@ -59,12 +59,6 @@ void lookUp(const Catalogue& catalogue, const StructTable& table, std::set<std::
         for (const EnumRow& choice : row.choices) {
             for (const std::string_view text : {choice.label, choice.help, choice.group, choice.brief})
                 lookUp(catalogue, text, gaps);
-            // What a preview and the history say.
-            const std::string edit = fmt::format("{}: {}", row.label, choice.label);
-            const auto choiceInWords = catalogue.translate(choice.label);
-            if (const auto label = catalogue.translate(row.label); label && choiceInWords) {
-                EXPECT_EQ(catalogue.translate(edit), *label + ": " + *choiceInWords) << edit;
-            }
         }
     }
     for (const ChildRow& child : table.children) {
@@ -82,80 +76,6 @@ TEST_P(Languages, HaveEveryRowOfTheTables) {
     for (std::size_t i = 0; i < 4; ++i)
         lookUp(*catalogue, texGenTable(i), gaps);
     EXPECT_EQ(listOf(gaps), "");
-}
-
-/// A key of the language's catalogues, alone.
-struct LoneKey {
-    std::string key;
-    Catalogue catalogue;
-
-    [[nodiscard]] std::size_t said() const { return with("").size(); }
-    [[nodiscard]] std::string with(std::string_view part) const {
-        std::string text = key;
-        for (std::size_t at = text.find("{}"); at != std::string::npos;
-             at = text.find("{}", at + part.size()))
-            text.replace(at, 2, part);
-        return text;
-    }
-};
-
-std::vector<LoneKey> loneKeys(Language language) {
-    constexpr std::string_view gap = "\n\n";
-    std::vector<LoneKey> keys;
-    for (const CatalogueFile& file : catalogueFiles()) {
-        if (!file.name.starts_with(rowOf(language).name))
-            continue;
-        for (std::size_t from = 0; from < file.text.size();) {
-            const std::size_t end = std::min(file.text.find(gap, from), file.text.size());
-            const std::vector<CatalogueFile> entry{{file.name, file.text.substr(from, end - from)}};
-            from = end + gap.size();
-            const Catalogue alone = Catalogue::parse(language, entry).value();
-            for (const std::string& key : alone.keys()) {
-                if (key.find("{}") != std::string::npos)
-                    keys.push_back({key, alone});
-            }
-        }
-    }
-    return keys;
-}
-
-// Else the rest of a sentence stays English: "{} is incomplete: {}" of what has a key of its own.
-TEST_P(Languages, TakeNoTextByAKeyThatSaysLess) {
-    const auto whole = catalogueOf(GetParam()).value();
-    const std::vector<LoneKey> keys = loneKeys(GetParam());
-    ASSERT_GT(keys.size(), 500U);
-    for (const LoneKey& lone : keys) {
-        for (const std::string_view part : {"7", "GL_LINEAR"}) {
-            const std::string plain = lone.with(part);
-            std::string capital = plain;
-            if (capital.front() >= 'a' && capital.front() <= 'z')
-                capital.front() = static_cast<char>(capital.front() - 'a' + 'A');
-            for (const std::string& text : {plain, capital}) {
-                const auto wanted = lone.catalogue.translate(text);
-                const auto found = whole->translate(text);
-                const auto saysAsMuch = [&](const LoneKey& other) {
-                    return other.said() >= lone.said() && other.catalogue.translate(text) == found;
-                };
-                EXPECT_TRUE(!wanted || found == wanted || std::ranges::any_of(keys, saysAsMuch))
-                    << text << "\n"
-                    << found.value_or("–") << "\n"
-                    << *wanted;
-            }
-        }
-    }
-}
-
-TEST_P(Languages, SayWhyATextureIsIncomplete) {
-    const auto catalogue = catalogueOf(GetParam()).value();
-    constexpr std::string_view reason = "GL_NEAREST_MIPMAP_LINEAR needs the levels 0 to 6, and level 1 is "
-                                        "missing; generate mipmaps, or choose GL_LINEAR";
-    for (const std::string& text :
-         {fmt::format("The texture is incomplete: {}.", reason),
-          fmt::format("textures[0] is incomplete: the texture is incomplete: {}", reason)}) {
-        const std::string said = catalogue->translate(text).value_or(text);
-        for (const char* english : {"texture ", "incomplete", "needs", "missing", "generate"})
-            EXPECT_THAT(said, testing::Not(testing::HasSubstr(english)));
-    }
 }
 
 TEST_P(Languages, HaveALetterForEverySignThatIsShown) {
@@ -220,10 +140,10 @@ TEST_P(Languages, AreSpokenByEveryMenu) {
 
 TEST(LanguagesOfTabs, KeepTheTimelineAndTheKeyboardApart) {
     const auto russian = catalogueOf(Language::Russian).value();
-    EXPECT_EQ(russian->translate("Keys"), "Клавиши") << "of the keyboard";
-    EXPECT_EQ(russian->translate(rowOf(Tab::Timeline).brief), "Время");
+    EXPECT_EQ(textIn(russian.get(), "Keys"), "Клавиши") << "of the keyboard";
+    EXPECT_EQ(textIn(russian.get(), rowOf(Tab::Timeline).brief), "Время");
     const auto chinese = catalogueOf(Language::Chinese).value();
-    EXPECT_EQ(chinese->translate(rowOf(Tab::Timeline).brief), "时间");
+    EXPECT_EQ(textIn(chinese.get(), rowOf(Tab::Timeline).brief), "时间");
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Languages, testing::ValuesIn(languages),

@@ -21,7 +21,7 @@ Bytes bytesOf(std::string_view text) {
 }
 
 FileOrder order(const std::filesystem::path& file, std::string text, std::string remark = {}) {
-    return {file, "The thing can't be written: {}.", 0, [=](const FileMaking&) -> Result<MadeFile> {
+    return {file, "The thing can't be written: {0}.", 0, [=](const FileMaking&) -> Result<MadeFile> {
                 return MadeFile{bytesOf(text), remark};
             }};
 }
@@ -50,7 +50,7 @@ TEST(FileWriting, WhatFailsIsOneSentenceAndTheFileStays) {
         writing.write(std::move(asked));
         const std::optional<FileNews> news = writing.takeNews();
         EXPECT_TRUE(news && !news->isGood);
-        return news ? news->text : std::string();
+        return news ? news->text : Sentence();
     };
     FileOrder refused = order(folder / "a.txt", "");
     refused.make = [](const FileMaking&) -> Result<MadeFile> {

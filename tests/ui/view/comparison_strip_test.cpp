@@ -148,7 +148,7 @@ TEST_F(Comparison, TheStripSaysHowFarTheyAreApartAndOnlyWhatIsOverTheToleranceIs
 TEST_F(Comparison, APictureThatIsStillToComeIsNotMissing) {
     showComparison(session->view, {RendererKind::Fixed, RendererKind::Reference});
     frames(2);
-    const std::array notes{std::string("textures[0]: drawn without its border")};
+    const std::array notes{Sentence("textures[0]: drawn without its border")};
     std::vector<ViewFrame> frames;
     for (const RendererKind renderer : session->view.compared)
         frames.push_back({renderer, {{}, {100, 100}, 0, {}, false}, {}, renderer == RendererKind::Fixed});

@@ -22,7 +22,7 @@ protected:
         for (const SegmentPlan::Line& line : plan.lines) {
             EXPECT_LE(std::accumulate(line.widths.begin(), line.widths.end(), plan.names), width + 0.01F);
             for (const float each : line.widths)
-                EXPECT_GE(each, ImGui::CalcTextSize(segments.at(i++).text.c_str()).x);
+                EXPECT_GE(each, ImGui::CalcTextSize(segments.at(i++).text.english().c_str()).x);
         }
         EXPECT_EQ(i, segments.size());
     }

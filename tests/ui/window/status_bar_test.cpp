@@ -33,7 +33,7 @@ TEST_F(StatusBar, WhatIsWrongGoesBeforeTheConsequence) {
     EXPECT_FALSE(has("consequence"));
     ASSERT_FALSE(session->document.findings.empty());
     ASSERT_FALSE(session->document.findings.front().fixes.empty());
-    click("fix:" + session->document.findings.front().fixes.front().label);
+    click("fix:" + session->document.findings.front().fixes.front().label.english());
     frames(3);
     EXPECT_FALSE(has("finding"));
     EXPECT_TRUE(has("consequence"));

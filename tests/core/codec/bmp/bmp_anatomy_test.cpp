@@ -60,7 +60,7 @@ std::vector<std::string> sections(const Anatomy& anatomy) {
     for (const Field& field : anatomy.fields)
         if (field.depth == 0)
             lines.push_back(std::to_string(field.offset) + "+" + std::to_string(field.size) + " " +
-                            field.name);
+                            field.name.english());
     return lines;
 }
 
@@ -68,7 +68,7 @@ std::vector<std::string> complaints(const Anatomy& anatomy) {
     std::vector<std::string> lines;
     for (const Field& field : anatomy.fields)
         if (!field.wrong.empty())
-            lines.push_back(field.name + ": " + field.wrong);
+            lines.push_back(field.name.english() + ": " + field.wrong.english());
     return lines;
 }
 

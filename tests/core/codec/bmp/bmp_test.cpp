@@ -326,14 +326,14 @@ TEST(Bmp, FewRunLengthCodesDoNotBuyMuchMemory) {
               "BMP: 2 bytes of run-length codes make at most 1048576 pixels, the file has 1049600");
 }
 
-std::vector<std::string> notesOf(const Bytes& file) {
+std::vector<Sentence> notesOf(const Bytes& file) {
     const Result<TextureImage> texture = decodeBmp(file);
     EXPECT_TRUE(texture) << texture.error().message;
-    return texture ? texture->notes : std::vector<std::string>();
+    return texture ? texture->notes : std::vector<Sentence>();
 }
 
 /// Correct parts of a file that the decoder ignores.
-std::vector<std::string> remarksOf(const Bytes& file) {
+std::vector<Sentence> remarksOf(const Bytes& file) {
     return decodeBmp(file)->remarks;
 }
 

@@ -22,7 +22,7 @@ dds::Header cubeHeader() {
 }
 
 const Field& fieldOf(const Anatomy& anatomy, std::string_view name) {
-    const auto found = std::ranges::find(anatomy.fields, name, &Field::name);
+    const auto found = std::ranges::find(anatomy.fields, Sentence(name), &Field::name);
     if (found == anatomy.fields.end())
         throw std::out_of_range(std::string(name));
     return *found;

@@ -63,13 +63,13 @@ TEST_P(DdsLies, AreSurvivedAndSaid) {
     EXPECT_EQ(texture->faces, row.faces);
     EXPECT_EQ(texture->levels, row.levels);
     EXPECT_EQ(depthOf(texture->surfaces.front()), row.depth);
-    std::vector<std::string> said = texture->notes;
+    std::vector<Sentence> said = texture->notes;
     said.insert(said.end(), texture->remarks.begin(), texture->remarks.end());
     EXPECT_THAT(said, testing::UnorderedElementsAreArray(row.notes));
 
     std::string wrong;
     for (const Field& field : dissectDds(file).fields)
-        wrong += field.meaning + field.wrong + "\n"; // by whether it is odd
+        wrong += field.meaning.english() + field.wrong.english() + "\n"; // by whether it is odd
     for (const std::string& note : row.notes)
         EXPECT_THAT(wrong, testing::HasSubstr(note)) << "the anatomy says it next to the field";
 }

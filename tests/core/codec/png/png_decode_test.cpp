@@ -259,7 +259,7 @@ TEST(PngEncode, SaysSrgbOfATextureThatIs) {
 
 const Field* fieldNamed(const Anatomy& anatomy, std::string_view name) {
     for (const Field& field : anatomy.fields)
-        if (field.name == name)
+        if (field.name.english() == name)
             return &field;
     return nullptr;
 }

@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 const Field& fieldNamed(const Anatomy& anatomy, std::string_view name) {
-    const auto found = std::ranges::find(anatomy.fields, name, &Field::name);
+    const auto found = std::ranges::find(anatomy.fields, Sentence(name), &Field::name);
     if (found == anatomy.fields.end())
         throw std::runtime_error("no field " + std::string(name));
     return *found;
@@ -26,7 +26,7 @@ std::vector<std::string> sectionsOf(const Anatomy& anatomy) {
     std::vector<std::string> names;
     for (const Field& field : anatomy.fields)
         if (field.depth == 0)
-            names.push_back(field.name + " at " + std::to_string(field.offset) + ", " +
+            names.push_back(field.name.english() + " at " + std::to_string(field.offset) + ", " +
                             std::to_string(field.size));
     return names;
 }

@@ -26,13 +26,13 @@ std::string textOf(void (*change)(Scene& scene)) {
     EXPECT_TRUE(found);
     std::string text;
     for (const FragmentSteps& fragment : stepsOf(found.value_or(Explanation{}))) {
-        text += fragment.title + ": " + fragment.outcome + "\n";
+        text += fragment.title.english() + ": " + fragment.outcome.english() + "\n";
         for (const Step& step : fragment.steps) {
-            text += step.title + ": " + step.summary + "\n";
+            text += step.title.english() + ": " + step.summary.english() + "\n";
             for (const StepRow& row : step.rows) {
-                text += row.label;
+                text += row.label.english();
                 for (const StepCell& cell : row.cells)
-                    text += " | " + cell.text;
+                    text += " | " + cell.text.english();
                 text += "\n";
             }
         }

@@ -125,7 +125,7 @@ TEST(SampledTexture, TakesTheParametersOfTheTextureAndTheLimitsOfTheFile) {
     levels.internalFormat = texture.internalFormat;
     levels.levels = {{0, bytes(PixelFormat::Rgba8, 1, 2, {255, 0, 0, 0, 51, 0, 0, 0})}};
     levels.lastLevel = 0;
-    std::vector<std::string> notes;
+    std::vector<Sentence> notes;
     const SampledTexture sampled = sampledTexture(texture, levels, Target::Texture2D, notes).value();
     EXPECT_EQ(sampled.format, F::Luminance);
     EXPECT_EQ(sampled.borderColor, glm::vec4(1, 1, 1, 1));
@@ -152,7 +152,7 @@ TEST(SampledTexture, DecompressesBlocksAndSaysWhatStandsInForTheDriver) {
     TextureLevels levels;
     levels.levels = {{0, block}};
     levels.internalFormat = InternalFormat::Alpha; // says nothing about a compressed texture
-    std::vector<std::string> notes;
+    std::vector<Sentence> notes;
     const Texture texture;
     const SampledTexture sampled = sampledTexture(texture, levels, Target::Texture2D, notes).value();
     EXPECT_EQ(sampled.format, F::Rgb);

@@ -38,7 +38,7 @@ protected:
 
     Scene scene = sceneWithTwoUnits();
     ImageSource images;
-    std::vector<std::string> problems;
+    std::vector<Sentence> problems;
     TextureStore store;
 };
 

@@ -1,0 +1,71 @@
+#include "app/ui/language/po_file.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace texplorer::ui {
+namespace {
+
+/// The text of a quoted line: "msgid \"a\\n\"" → a and a newline.
+std::optional<std::string> quoted(std::string_view line) {
+    const std::size_t begin = line.find('"');
+    const std::size_t end = line.rfind('"');
+    if (begin == std::string_view::npos || begin == end)
+        return std::nullopt;
+    std::string text;
+    for (std::size_t i = begin + 1; i < end; ++i) {
+        if (line[i] != '\\') {
+            text += line[i];
+            continue;
+        }
+        if (++i == end)
+            return std::nullopt;
+        text += line[i] == 'n' ? '\n' : line[i] == 't' ? '\t' : line[i];
+    }
+    return text;
+}
+
+} // namespace
+
+bool PoEntry::isTranslated() const {
+    return !isFuzzy && !forms.empty() && std::ranges::none_of(forms, &std::string::empty);
+}
+
+Result<std::vector<PoEntry>> readPoFile(std::string_view text, std::string_view name) {
+    std::vector<PoEntry> entries;
+    bool isFuzzy = false;        // the comment stands before its entry
+    std::string* last = nullptr; // continued by a line of text alone
+    std::size_t number = 0;
+    for (std::size_t from = 0; from <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', from), text.size());
+        const std::string_view line = text.substr(from, end - from);
+        from = end + 1;
+        ++number;
+        if (line.empty() || line.starts_with("#")) {
+            last = nullptr;
+            isFuzzy |= line.starts_with("#,") && line.find("fuzzy") != std::string_view::npos;
+            continue;
+        }
+        const std::string_view word = line.substr(0, line.find_first_of(" [\""));
+        std::optional<std::string> words = quoted(line);
+        if (words && word == "msgid") {
+            entries.push_back({.key = {}, .pluralKey = {}, .forms = {}, .isFuzzy = isFuzzy, .line = number});
+            isFuzzy = false;
+            last = &entries.back().key;
+        } else if (words && word == "msgid_plural" && last) {
+            last = &entries.back().pluralKey;
+        } else if (words && word == "msgstr" && last) {
+            last = &entries.back().forms.emplace_back();
+        } else if (!words || !word.empty() || !last) {
+            return fail(ErrorCode::Malformed, "expected a line of a .po file, msgid or msgstr with its text",
+                        fmt::format("{}:{}", name, number));
+        }
+        *last += *words;
+    }
+    return entries;
+}
+
+} // namespace texplorer::ui

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "texplorer/base/result.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace texplorer::ui {
+
+/// An entry of a gettext .po file.
+struct PoEntry {
+    std::string key;                ///< msgid
+    std::string pluralKey;          ///< msgid_plural; empty: none
+    std::vector<std::string> forms; ///< msgstr, one for each plural form
+    bool isFuzzy = false;
+    std::size_t line = 0; ///< of msgid, from 1
+
+    [[nodiscard]] bool isTranslated() const;
+};
+
+/// Reads the entries of a .po file, the header's included. `name` is the file's for errors. Fails for a line
+/// that is no comment and no part of an entry.
+[[nodiscard]] Result<std::vector<PoEntry>> readPoFile(std::string_view text, std::string_view name);
+
+} // namespace texplorer::ui
