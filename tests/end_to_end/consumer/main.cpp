@@ -53,7 +53,7 @@ int main(int count, char** words) {
 
     const Scene scene = orEnd(parseScene(sceneText));
     const TextureLevels levels = orEnd(prepareLevels(scene.textures[0], texture));
-    std::vector<std::string> notes;
+    std::vector<Sentence> notes;
     const auto sampled =
         orEnd(reference::sampledTexture(scene.textures[0], levels, Target::Texture2D, notes));
     const glm::vec4 color = reference::sample(

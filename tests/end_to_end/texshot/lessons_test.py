@@ -110,7 +110,7 @@ class Checking(Lessons):
         folder = self.lesson({**STEP, "text": "Two {color}s.", "scene": "checker", "look": {"probe": [490, 480]}})
 
         def catalogue(**texts):
-            entries = {"Small": "Klein", "A": "Ein", "S": "Schritt", "Two {}s.": "Zwei {}.", **texts}
+            entries = {"Small": "Klein", "A": "Ein", "S": "Schritt", "Two {color}s.": "Zwei {color}.", **texts}
             (folder / "ru.po").write_text("".join(f'msgid "{key}"\nmsgstr "{text}"\n\n' for key, text in entries.items()))
 
         catalogue()
@@ -119,8 +119,8 @@ class Checking(Lessons):
         self.says(folder, "ru.po", "no longer has the text \"Old\"")
         catalogue(Small="")
         self.says(folder, "ru.po", "expected a translation of \"Small\"")
-        catalogue(**{"Two {}s.": "Zwei."})
-        self.says(folder, "ru.po", "places")
+        catalogue(**{"Two {color}s.": "Zwei."})
+        self.says(folder, "ru.po", "placeholders")
 
     def test_a_picture_that_is_missing_or_lies_elsewhere(self):
         folder = self.lesson({**STEP, "scene": "scene.json"})
