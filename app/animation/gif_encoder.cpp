@@ -2,8 +2,6 @@
 
 #include "texplorer/animation/dither.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -79,8 +77,8 @@ private:
 
     static tl::unexpected<texplorer::Error> refused(int error) {
         const char* reason = GifErrorString(error);
-        return fail(ErrorCode::TooLarge,
-                    Sentence("GIF: it can't be written: {0}", reason ? reason : "giflib gives no reason"));
+        return fail(ErrorCode::TooLarge, Sentence("GIF: it can't be written: {0}",
+                                                  reason ? reason : N_("giflib gives no reason")));
     }
 
     Result<void> put(OpaqueFrame frame, int duration) {

@@ -4,8 +4,6 @@
 #include "app/animation/webp_encoder.h"
 #include "texplorer/animation/apng.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <new>
 

@@ -2,8 +2,6 @@
 
 #include "texplorer/animation/opaque_frame.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cstring>
 #include <new>
@@ -85,7 +83,7 @@ public:
 private:
     tl::unexpected<Error> refused() {
         const char* reason = WebPAnimEncoderGetError(encoder_.get());
-        const std::string words = reason && *reason != 0 ? reason : "libwebp gives no reason";
+        const std::string words = reason && *reason != 0 ? reason : N_("libwebp gives no reason");
         return fail(ErrorCode::TooLarge, Sentence("WebP: it can't be written: {0}", words));
     }
 

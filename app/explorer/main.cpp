@@ -30,7 +30,7 @@ constexpr view::Size startSize{1280, 800}; // at a content scale of 1
 
 constexpr const char* frameVariable = "TEXPLORER_FRAME_SECONDS";
 constexpr const char* withoutWindow =
-    "texshot draws the same window without a display: texshot shot --ui -o window.png";
+    N_("texshot draws the same window without a display: texshot shot --ui -o window.png");
 
 int complain(const std::string& sentence) {
     texplorer::complain("texplorer", sentence);
@@ -63,8 +63,9 @@ Result<explorer::ContextApi> parseContext(const std::string& word) {
     if (word == "egl")
         return explorer::ContextApi::Egl;
     return fail(ErrorCode::OutOfRange,
-                word == "osmesa" ? "OSMesa draws into memory without a window: use texshot --context osmesa"
-                                 : Sentence("expected native or egl, found \"{0}\"", word),
+                word == "osmesa"
+                    ? N_("OSMesa draws into memory without a window: use texshot --context osmesa")
+                    : Sentence("expected native or egl, found \"{0}\"", word),
                 "--context");
 }
 
@@ -170,9 +171,9 @@ void describeProgram(CommandLine& line) {
 void declareOptions(CommandLine& line, Words& words) {
     line.option(
         "FILE", words.files,
-        "Scene files (JSON) and images. Images become textures of the scene, and the first one is shown. A "
-        "PNG drawn by texshot contains its scene; if it is the only file, the window asks whether to open "
-        "the scene or the image.");
+        N_("Scene files (JSON) and images. Images become textures of the scene, and the first one is shown. A "
+           "PNG drawn by texshot contains its scene; if it is the only file, the window asks whether to open "
+           "the scene or the image."));
     line.option("--renderer", words.renderer,
                 fmt::format("The renderer that the view begins with, one of {}. Default: the first one that "
                             "the driver has.",
@@ -180,17 +181,17 @@ void declareOptions(CommandLine& line, Words& words) {
                 {.value = "RENDERER", .offers = {choiceNames<RendererKind>}});
     line.option(
         "--shaders", words.shaders,
-        "The folder of the shader renderer's files, a copy of shaders/. Changes there are drawn at once. "
-        "Default: the files that the program was built with.",
+        N_("The folder of the shader renderer's files, a copy of shaders/. Changes there are drawn at once. "
+           "Default: the files that the program was built with."),
         {.value = "DIR", .environment = "TEXPLORER_SHADERS"});
     line.option("--lesson", words.lesson,
-                "Opens a lesson, by its name (\"texshot lessons\" lists them) or its folder.",
+                N_("Opens a lesson, by its name (\"texshot lessons\" lists them) or its folder."),
                 {.value = "NAME", .offers = {lesson::builtInLessons}});
     line.option("--pretend", words.pretended, view::pretenceHelp(),
                 {.value = "WORDS", .oneEach = true, .offers = {view::pretenceWords, true}});
     line.option(
         "--context", words.context,
-        "How the window creates its OpenGL context. native: GLX on X11, EGL on Wayland. egl: EGL on both.",
+        N_("How the window creates its OpenGL context. native: GLX on X11, EGL on Wayland. egl: EGL on both."),
         {.value = "CONTEXT", .showsDefault = true, .offers = {[] {
                                                        return std::vector<std::string>{"native", "egl"};
                                                    }}});
@@ -203,7 +204,7 @@ int main(int argc, char** argv) {
     prepareStandardStreams();
     sayWhatNothingCatches("texplorer");
     CommandLine line("texplorer", TEXPLORER_VERSION,
-                     "Explore what each texture parameter of OpenGL does, on a live cube and sphere.");
+                     N_("Explore what each texture parameter of OpenGL does, on a live cube and sphere."));
     Words words;
     declareOptions(line, words);
     describeProgram(line);
@@ -225,7 +226,7 @@ int main(int argc, char** argv) {
         const Result<void> printed = writeStandardOutput(viewBytes(**answer));
         return printed ? 0 : complain(describe(printed.error()));
     } catch (const std::bad_alloc&) {
-        return complain("not enough memory");
+        return complain(N_("not enough memory"));
     } catch (const std::exception& error) { // reported as one sentence and an exit status
         return complain(reasonOf(error));
     }

@@ -48,9 +48,10 @@ void Reopening::begin() {
         coverShaders(session_);
     if (!beginning_.hungFor)
         return;
-    notice_ = {"The driver did not finish a picture within {0:g} s. The reference renderer draws now; choose "
-               "another one to try again.",
-               *beginning_.hungFor};
+    notice_ = {
+        N_("The driver did not finish a picture within {0:g} s. The reference renderer draws now; choose "
+           "another one to try again."),
+        *beginning_.hungFor};
     ui::say(session_, notice_);
     documents_ = session_.documents;
 }

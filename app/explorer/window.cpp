@@ -5,7 +5,6 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

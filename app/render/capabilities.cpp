@@ -48,7 +48,7 @@ bool keepsBorders() {
     glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_BORDER, &border);
     glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
     glDeleteTextures(1, &name);
-    return GlErrors().check("glTexImage2D with a border") && border == 1;
+    return GlErrors().check(N_("glTexImage2D with a border")) && border == 1;
 }
 
 /// glewInit() checks GLX after it has loaded every OpenGL function. Without GLX, under OSMesa and Wayland, it
@@ -86,7 +86,7 @@ Result<view::Capabilities> loadCapabilities() {
     static_cast<void>(GlErrors().check("glewInit")); // GLEW queries features that a core profile has removed
 
     view::Capabilities capabilities = namedCapabilities();
-    const Sentence offer("{0} offers version {1}", ProperName{capabilities.renderer},
+    const Sentence offer(N_("{0} offers version {1}"), ProperName{capabilities.renderer},
                          ProperName{capabilities.version});
     if (!has(neededVersion))
         return fail(ErrorCode::Unsupported, needs(offer));

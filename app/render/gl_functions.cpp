@@ -1,5 +1,7 @@
 #include "app/render/gl_functions.h"
 
+#include "texplorer/base/translatable.h"
+
 #include <GL/glew.h>
 
 #include <array>
@@ -8,11 +10,11 @@ namespace texplorer::render {
 
 namespace {
 
-constexpr const char* version12 = "OpenGL 1.2";
-constexpr const char* version13 = "OpenGL 1.3";
-constexpr const char* version14 = "OpenGL 1.4";
-constexpr const char* version15 = "OpenGL 1.5";
-constexpr const char* version20 = "OpenGL 2.0";
+constexpr const char* version12 = N_("OpenGL 1.2");
+constexpr const char* version13 = N_("OpenGL 1.3");
+constexpr const char* version14 = N_("OpenGL 1.4");
+constexpr const char* version15 = N_("OpenGL 1.5");
+constexpr const char* version20 = N_("OpenGL 2.0");
 constexpr const char* framebuffers = "GL_ARB_framebuffer_object";
 
 // GLEW's names are macros that expand to the pointers.
@@ -70,7 +72,7 @@ constexpr auto functions = std::to_array<GlFunction>({
     TEXPLORER_GL(glGenFramebuffers, framebuffers, true),
     TEXPLORER_GL(glGenRenderbuffers, framebuffers, true),
     TEXPLORER_GL(glRenderbufferStorage, framebuffers, true),
-    TEXPLORER_GL(glGetStringi, "OpenGL 3.0", false),
+    TEXPLORER_GL(glGetStringi, N_("OpenGL 3.0"), false),
     TEXPLORER_GL(glProvokingVertex, "GL_ARB_provoking_vertex", false),
     TEXPLORER_GL(glBindSampler, "GL_ARB_sampler_objects", false),
     TEXPLORER_GL(glBindVertexArray, "GL_ARB_vertex_array_object", false),

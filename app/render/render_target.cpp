@@ -52,7 +52,7 @@ Result<void> RenderTarget::resize(view::Size size) {
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
         status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     }
-    const Sentence what("a picture of {0} pixels with 24 bits of depth", ProperName{asText(size)});
+    const Sentence what(N_("a picture of {0} pixels with 24 bits of depth"), ProperName{asText(size)});
     if (!errors.check("glTexImage2D, glRenderbufferStorage"))
         return fail(ErrorCode::Driver,
                     Sentence("the driver can't create {0}: {1}", what, errors.sentences().front()));

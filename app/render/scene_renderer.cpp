@@ -95,7 +95,7 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
     const auto begin = std::chrono::steady_clock::now();
     state.errors = {};
     state.levels = levels;
-    state.errors.check("before the scene was drawn"); // caused by other code, but not yet reported
+    state.errors.check(N_("before the scene was drawn")); // caused by other code, but not yet reported
     try {
         const StateGuard guard;
         state.errors.check("glPushAttrib");
@@ -218,7 +218,7 @@ Result<std::vector<TextureLevel>> SceneRenderer::readTexture(std::size_t index, 
                     fmt::format("textures[{}]", index));
     try {
         const StateGuard guard;
-        static_cast<void>(GlErrors().check("before the texture was read"));
+        static_cast<void>(GlErrors().check(N_("before the texture was read")));
         return object->read();
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "not enough memory for the levels of the texture");
@@ -240,7 +240,7 @@ Result<Image> SceneRenderer::read() {
     }
     const StateGuard guard;
     static_cast<void>(
-        GlErrors().check("before the picture was read")); // older errors do not belong to this call
+        GlErrors().check(N_("before the picture was read"))); // older errors do not belong to this call
     glBindFramebuffer(GL_FRAMEBUFFER, state.target.framebuffer());
     glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
     if (GlErrors errors; !errors.check("glReadPixels"))

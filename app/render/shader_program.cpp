@@ -40,7 +40,7 @@ ShaderProgram::Log compileStage(GLuint shader, view::ShaderStage stage, const gl
         return {};
     ShaderProgram::Log log = translateLog(logOf(shader, glGetShaderiv, glGetShaderInfoLog), source, stage);
     if (log.empty())
-        log.push_back({stage, 0, "the driver can't compile the shader and gives no reason"});
+        log.push_back({stage, 0, N_("the driver can't compile the shader and gives no reason")});
     return log;
 }
 
@@ -68,7 +68,7 @@ tl::expected<ShaderProgram, ShaderProgram::Log> ShaderProgram::compile(const gls
     if (linked != GL_TRUE) {
         log = translateLog(logOf(name, glGetProgramiv, glGetProgramInfoLog), {});
         if (log.empty())
-            log.push_back({std::nullopt, 0, "the driver can't link the two stages and gives no reason"});
+            log.push_back({std::nullopt, 0, N_("the driver can't link the two stages and gives no reason")});
         return tl::unexpected(std::move(log));
     }
     program.findUniforms();

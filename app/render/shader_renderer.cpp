@@ -246,7 +246,7 @@ view::OfferedRenderers offeredRenderers(const view::Capabilities& capabilities) 
         offered.withhold(
             RendererKind::Shader,
             GLEW_VERSION_3_3
-                ? "the shader renderer needs OpenGL 3.3 with GLSL 3.30, which --pretend disables"
+                ? N_("the shader renderer needs OpenGL 3.3 with GLSL 3.30, which --pretend disables")
                 : Sentence("the shader renderer needs OpenGL 3.3 with GLSL 3.30, the driver has OpenGL {0}",
                            ProperName{capabilities.version}));
     return offered;

@@ -34,7 +34,8 @@ void writeCapture(ui::Session& session, Graphics& graphics, const ui::ViewFrame&
     if (view.image)
         return session.services.captures->write("texplorer-view", Image(*view.image));
     if (view.renderer == RendererKind::Reference)
-        return ui::say(session, "The reference is still drawing. The view can be written when it is done.");
+        return ui::say(session,
+                       N_("The reference is still drawing. The view can be written when it is done."));
     Result<Image> image = graphics.read(view.renderer, view.side);
     if (!image)
         return ui::say(session, image.error());
@@ -95,11 +96,11 @@ private:
         ui::useCatalogue(nullptr);
         catalogue_.reset();
         if (!ui::hasLettersOf(language))
-            return "No readable font with Chinese characters was found. Install fonts-droid-fallback or "
-                   "fonts-wqy-microhei and restart Texplorer.";
+            return N_("No readable font with Chinese characters was found. Install fonts-droid-fallback or "
+                      "fonts-wqy-microhei and restart Texplorer.");
         Result<std::unique_ptr<const ui::Catalogue>> catalogue = ui::catalogueOf(language);
         if (!catalogue)
-            return {"The window stays in English: {0}.", describe(catalogue.error())};
+            return {N_("The window stays in English: {0}."), describe(catalogue.error())};
         catalogue_ = *std::move(catalogue);
         return {};
     }

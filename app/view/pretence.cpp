@@ -17,44 +17,46 @@ namespace texplorer::view {
 namespace {
 
 constexpr std::array rows{
-    PretenceRow{"no-multitexture", "one texture unit, as before OpenGL 1.3", 0, 0,
+    PretenceRow{"no-multitexture", N_("one texture unit, as before OpenGL 1.3"), 0, 0,
                 [](Capabilities& driver, int) { driver.textureUnits = std::min(driver.textureUnits, 1); }},
-    PretenceRow{"units=", "this number of texture units", 1, maxUnits,
+    PretenceRow{"units=", N_("this number of texture units"), 1, maxUnits,
                 [](Capabilities& driver, int number) {
                     driver.textureUnits = std::min(driver.textureUnits, number);
                 }},
-    PretenceRow{"max-texture-size=", "1D and 2D textures of at most this size (GL_MAX_TEXTURE_SIZE)", 1,
+    PretenceRow{"max-texture-size=", N_("1D and 2D textures of at most this size (GL_MAX_TEXTURE_SIZE)"), 1,
                 16384,
                 [](Capabilities& driver, int number) {
                     driver.maxTextureSize = std::min(driver.maxTextureSize, number);
                 }},
-    PretenceRow{"max-3d-texture-size=", "3D textures of at most this size (GL_MAX_3D_TEXTURE_SIZE)", 1, 16384,
+    PretenceRow{"max-3d-texture-size=", N_("3D textures of at most this size (GL_MAX_3D_TEXTURE_SIZE)"), 1,
+                16384,
                 [](Capabilities& driver, int number) {
                     driver.max3DTextureSize = std::min(driver.max3DTextureSize, number);
                 }},
     PretenceRow{"max-cube-map-size=",
-                "faces of cube maps of at most this size "
-                "(GL_MAX_CUBE_MAP_TEXTURE_SIZE)",
+                N_("faces of cube maps of at most this size "
+                   "(GL_MAX_CUBE_MAP_TEXTURE_SIZE)"),
                 1, 16384,
                 [](Capabilities& driver, int number) {
                     driver.maxCubeMapSize = std::min(driver.maxCubeMapSize, number);
                 }},
-    PretenceRow{"no-npot", "sizes that are powers of two only (no GL_ARB_texture_non_power_of_two)", 0, 0,
+    PretenceRow{"no-npot", N_("sizes that are powers of two only (no GL_ARB_texture_non_power_of_two)"), 0, 0,
                 [](Capabilities& driver, int) { driver.nonPowerOfTwo = false; }},
-    PretenceRow{"no-s3tc", "no DXT1, DXT3 and DXT5 (no GL_EXT_texture_compression_s3tc)", 0, 0,
+    PretenceRow{"no-s3tc", N_("no DXT1, DXT3 and DXT5 (no GL_EXT_texture_compression_s3tc)"), 0, 0,
                 [](Capabilities& driver, int) { driver.s3tc = false; }},
-    PretenceRow{"no-rgtc", "no BC4 and BC5 (no GL_ARB_texture_compression_rgtc)", 0, 0,
+    PretenceRow{"no-rgtc", N_("no BC4 and BC5 (no GL_ARB_texture_compression_rgtc)"), 0, 0,
                 [](Capabilities& driver, int) { driver.rgtc = false; }},
-    PretenceRow{"no-anisotropy", "no anisotropic filtering (no GL_EXT_texture_filter_anisotropic)", 0, 0,
+    PretenceRow{"no-anisotropy", N_("no anisotropic filtering (no GL_EXT_texture_filter_anisotropic)"), 0, 0,
                 [](Capabilities& driver, int) { driver.maxAnisotropy = 1; }},
-    PretenceRow{"max-anisotropy=", "an anisotropy of at most this (GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT)", 1, 16,
+    PretenceRow{"max-anisotropy=", N_("an anisotropy of at most this (GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT)"), 1,
+                16,
                 [](Capabilities& driver, int number) {
                     driver.maxAnisotropy = std::min(driver.maxAnisotropy, static_cast<float>(number));
                 }},
     PretenceRow{"no-seamless-cube-maps",
-                "cube maps whose faces end at their edges (no GL_ARB_seamless_cube_map)", 0, 0,
+                N_("cube maps whose faces end at their edges (no GL_ARB_seamless_cube_map)"), 0, 0,
                 [](Capabilities& driver, int) { driver.seamlessCubeMaps = false; }},
-    PretenceRow{"no-shaders", "no GLSL 3.30, so no shader renderer", 0, 0,
+    PretenceRow{"no-shaders", N_("no GLSL 3.30, so no shader renderer"), 0, 0,
                 [](Capabilities& driver, int) { driver.shaders = false; }},
 };
 

@@ -4,8 +4,6 @@
 #include "texplorer/codec/png/png.h"
 #include "texplorer/codec/png/png_chunks.h"
 
-#include <fmt/core.h>
-
 #include <cstring>
 #include <libdeflate.h>
 #include <new>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "texplorer/base/translatable.h"
+
 #include <array>
 #include <string_view>
 
@@ -21,7 +23,7 @@ struct FormatRow {
 /// APNG files have the extension of PNG. GIF: viewers show a delay below two hundredths as a tenth.
 inline constexpr std::array formatRows{
     FormatRow{Format::Gif, "GIF", ".gif", 100, 65535, 50, 65535},
-    FormatRow{Format::WebP, "WebP", ".webp", 1000, 0xffffff, 1000, 16383},
+    FormatRow{Format::WebP, N_("WebP"), ".webp", 1000, 0xffffff, 1000, 16383},
     FormatRow{Format::Apng, "APNG", ".png", 1000, 65535, 1000, 65535},
 };
 

@@ -32,9 +32,12 @@ struct Error {
     bool operator==(const Error&) const = default;
 };
 
+inline constexpr Sentence::Key<ProperName, Sentence> describedKey = "{0}: {1}";
+
 /// Returns "where: message", or the message alone if `where` is empty.
 [[nodiscard]] inline Sentence describe(const Error& error) {
-    return error.where.empty() ? error.message : Sentence("{0}: {1}", ProperName{error.where}, error.message);
+    return error.where.empty() ? error.message
+                               : Sentence(describedKey, ProperName{error.where}, error.message);
 }
 
 template<class T>

@@ -51,7 +51,8 @@ void Sentence::write(std::span<const Value> values) {
                 return value;
             } else {
                 Sentence number = formatted(placeholder, value);
-                number.isName_ = std::floating_point<Type>;
+                if constexpr (!std::same_as<Type, bool> && !std::same_as<Type, char>)
+                    number.is_ = Is::Number;
                 if constexpr (std::same_as<Type, std::int64_t> || std::same_as<Type, std::uint64_t>)
                     number.number_ = static_cast<std::uint64_t>(value);
                 return number;

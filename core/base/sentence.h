@@ -2,6 +2,8 @@
 
 // Texts for people that can be translated.
 
+#include "texplorer/base/translatable.h"
+
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -50,7 +52,7 @@ public:
         : english_(english) {}
     Sentence(ProperName name)
         : english_(name.text)
-        , isName_(true) {}
+        , is_(Is::Name) {}
     /// Arguments are numbers, texts, names and sentences.
     template<class First, class... Rest>
     Sentence(Key<std::type_identity_t<First>, std::type_identity_t<Rest>...> key, const First& first,
@@ -86,13 +88,16 @@ public:
                                  const std::function<std::string(const Sentence&)>& text) const;
     /// An argument that is a whole number, for plural forms.
     [[nodiscard]] std::optional<std::uint64_t> number() const { return number_; }
-    [[nodiscard]] bool isName() const { return isName_; }
+    /// An argument that is a number; its text has the digits that its format keeps.
+    [[nodiscard]] bool isNumber() const { return is_ == Is::Number; }
+    [[nodiscard]] bool isName() const { return is_ == Is::Name; }
 
     friend bool operator==(const Sentence& a, const Sentence& b) { return a.english_ == b.english_; }
     friend std::ostream& operator<<(std::ostream& out, const Sentence& sentence);
 
 private:
     enum class Kind { Text, Whole, Real };
+    enum class Is : std::uint8_t { Text, Name, Number };
     using Value = std::variant<std::string_view, ProperName, const Sentence*, bool, char, std::int64_t,
                                std::uint64_t, float, double>;
 
@@ -154,7 +159,7 @@ private:
     std::string_view key_; ///< a literal
     std::vector<Sentence> arguments_;
     std::optional<std::uint64_t> number_;
-    bool isName_ = false;
+    Is is_ = Is::Text;
 };
 
 } // namespace texplorer

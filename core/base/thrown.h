@@ -1,5 +1,7 @@
 #pragma once
 
+#include "texplorer/base/translatable.h"
+
 #include <exception>
 #include <string>
 #include <string_view>
@@ -8,7 +10,7 @@ namespace texplorer {
 
 /// The message for an unexpected exception.
 inline constexpr std::string_view ownMistake =
-    "this is a bug in Texplorer; please report it and how it happened";
+    N_("this is a bug in Texplorer; please report it and how it happened");
 
 /// Describes an exception, as the end of a sentence: the system's message for a system error ("No space left
 /// on device"), else `ownMistake`. Messages of libraries mean nothing to users.

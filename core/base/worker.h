@@ -33,7 +33,7 @@ enum class JobOrder : std::uint8_t {
 struct WorkerSetup {
     When when = When::WhenReady;
     JobOrder order = JobOrder::Queue;
-    FailureWords words{"not enough memory for it", "it failed"};
+    FailureWords words{N_("not enough memory for it"), N_("it failed")};
     /// Called on the working thread whenever `take` or `progress` has something new; must not throw.
     std::function<void()> wake{};
     std::stop_token stop{}; ///< stops the current job

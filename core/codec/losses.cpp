@@ -29,9 +29,9 @@ void addParts(const TextureImage& texture, std::vector<Loss>& losses) {
 void addAlpha(const TextureImage& texture, std::string_view format, std::vector<Loss>& losses) {
     const Image* image = std::get_if<Image>(&texture.surfaces.front());
     if (format != "BMP" && image != nullptr && image->format == PixelFormat::Alpha8)
-        losses.push_back({"alpha", "alpha without colour becomes grey", false});
+        losses.push_back({"alpha", N_("alpha without colour becomes grey"), false});
     if (format != "TGA" && texture.alpha == AlphaMeaning::Premultiplied)
-        losses.push_back({"alpha", "the mark that colours are multiplied by alpha", false});
+        losses.push_back({"alpha", N_("the mark that colours are multiplied by alpha"), false});
 }
 
 void addFileParts(const TextureImage& texture, std::vector<Loss>& losses) {
@@ -39,13 +39,13 @@ void addFileParts(const TextureImage& texture, std::vector<Loss>& losses) {
         return std::ranges::find(texture.parts, name, &FilePart::name) != texture.parts.end();
     };
     if (has("iCCP"))
-        losses.push_back({"colorProfile", "the ICC profile", false});
+        losses.push_back({"colorProfile", N_("the ICC profile"), false});
     else if (!has("sRGB") && (has("gAMA") || has("cHRM")))
-        losses.push_back({"colorProfile", "its colour space (gAMA, cHRM)", false});
+        losses.push_back({"colorProfile", N_("its colour space (gAMA, cHRM)"), false});
     if (has("tEXt") || has("zTXt") || has("iTXt"))
-        losses.push_back({"metadata", "its texts", false});
+        losses.push_back({"metadata", N_("its texts"), false});
     if (has("eXIf"))
-        losses.push_back({"metadata", "metadata (Exif)", false});
+        losses.push_back({"metadata", N_("metadata (Exif)"), false});
 }
 
 /// "red, green and blue"

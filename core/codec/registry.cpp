@@ -27,12 +27,12 @@ constexpr std::array rows{
              encodeBmp},
     CodecRow{"DDS", ".dds", [](ByteView file) { return beginsWith(file, "DDS "); }, decodeDds, dissectDds,
              encodeDds},
-    CodecRow{"JPEG", ".jpg .jpeg", [](ByteView file) { return beginsWith(file, "\xFF\xD8\xFF"); }, decodeJpeg,
-             dissectJpeg, nullptr},
+    CodecRow{"JPEG", N_(".jpg .jpeg"), [](ByteView file) { return beginsWith(file, "\xFF\xD8\xFF"); },
+             decodeJpeg, dissectJpeg, nullptr},
     CodecRow{"PNG", ".png", [](ByteView file) { return beginsWith(file, "\x89PNG\r\n\x1A\n"); }, decodePng,
              dissectPng, encodePng},
     // Last, because it has no magic number.
-    CodecRow{"TGA", ".tga .vda .icb .vst", isTga, decodeTga, dissectTga, encodeTga},
+    CodecRow{"TGA", N_(".tga .vda .icb .vst"), isTga, decodeTga, dissectTga, encodeTga},
 };
 
 // "89 50 4e 47", so that one can look up what it is.

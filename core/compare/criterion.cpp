@@ -1,7 +1,5 @@
 #include "texplorer/compare/criterion.h"
 
-#include <fmt/core.h>
-
 #include <charconv>
 #include <cmath>
 

@@ -354,7 +354,7 @@ Result<Report> sweep(const SweepOptions& options, const Renderers& renderers) {
         try {
             work();
         } catch (const std::bad_alloc&) {
-            outcomes.fail({ErrorCode::TooLarge, "not enough memory for the pictures", {}});
+            outcomes.fail({ErrorCode::TooLarge, N_("not enough memory for the pictures"), {}});
         } catch (const std::exception& error) {
             outcomes.fail({ErrorCode::Driver, std::string("a renderer failed: ") + reasonOf(error), {}});
         }

@@ -64,19 +64,19 @@ constexpr auto line = reference::AnisotropyMethod::Line;       // since then
 constexpr std::array flaws{
     DriverFlaw{
         "llvmpipe", ellipse, filtersLine, withoutAnisotropy,
-        "llvmpipe before Mesa 25 ends in a segmentation fault where it filters GL_TEXTURE_1D anisotropically; drawn "
-        "without anisotropy"},
+        N_("llvmpipe before Mesa 25 ends in a segmentation fault where it filters GL_TEXTURE_1D anisotropically; drawn "
+           "without anisotropy")},
     DriverFlaw{
         "llvmpipe", ellipse, comparesDepths, withoutAnisotropy,
-        "llvmpipe before Mesa 25 compares no depths where it filters them anisotropically; drawn without anisotropy"},
+        N_("llvmpipe before Mesa 25 compares no depths where it filters them anisotropically; drawn without anisotropy")},
     DriverFlaw{
         "llvmpipe", ellipse, visitsWithoutEnd, withoutAnisotropy,
-        "before Mesa 25, llvmpipe's anisotropic filter visits every texel that a pixel covers, which would take seconds "
-        "to hours here, where coordinates run fast or q runs through 0; drawn without anisotropy"},
+        N_("before Mesa 25, llvmpipe's anisotropic filter visits every texel that a pixel covers, which would take seconds "
+           "to hours here, where coordinates run fast or q runs through 0; drawn without anisotropy")},
     DriverFlaw{
         "llvmpipe", line, takesNoSample, withoutAnisotropy,
-        "llvmpipe since Mesa 25 draws black where it filters anisotropically and the coordinates do not "
-        "change; drawn without anisotropy"},
+        N_("llvmpipe since Mesa 25 draws black where it filters anisotropically and the coordinates do not "
+           "change; drawn without anisotropy")},
     DriverFlaw{"llvmpipe", {}, choosesFilterAlone, withOneFilter, ""},
 };
 

@@ -28,7 +28,7 @@ void undefinedCrossbar(const Case& about, Report& report) {
                            ? Sentence("{0} is undefined: unit {1} has no complete texture",
                                       named(each.source), *asked)
                            : Sentence("{0} is undefined: unit {1} is off", named(each.source), *asked),
-                       Fix{"Take this unit's texture", {{source, nameOf(CombineSource::Texture)}}});
+                       Fix{N_("Take this unit's texture"), {{source, nameOf(CombineSource::Texture)}}});
         }
     });
 }

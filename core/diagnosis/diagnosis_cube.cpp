@@ -27,7 +27,7 @@ std::string seamlessPath(std::size_t pass) {
 
 /// In every pass that shows the texture.
 Fix acrossEdges(const Case& about, std::size_t texture) {
-    Fix fix{"Filter across the edges", {}};
+    Fix fix{N_("Filter across the edges"), {}};
     forEachUnit(about.scene, [&](const Unit& unit, const std::string&, std::size_t p) {
         const edit::Set set{seamlessPath(p), "true"};
         if (unit.enabled && std::cmp_equal(unit.texture, texture) &&
@@ -50,7 +50,7 @@ void cubeSeams(const Case& about, Report& report) {
         const bool ofS = leaves(texture.wrapS);
         const std::string edge = nameOf(Wrap::ClampToEdge);
         std::vector<Fix> fixes{
-            {"Clamp to the edges",
+            {N_("Clamp to the edges"),
              {{path + keyOf<&Texture::wrapS>(), edge}, {path + keyOf<&Texture::wrapT>(), edge}}}};
         if (about.driver.seamlessCubeMaps)
             fixes.push_back(acrossEdges(about, i));
@@ -105,8 +105,8 @@ void noSeamlessCubeMaps(const Case& about, Report& report) {
         if (pass.enabled && pass.seamlessCubeMap && !about.driver.seamlessCubeMaps &&
             std::ranges::any_of(
                 pass.units, [](const Unit& unit) { return unit.enabled && unit.target == Target::CubeMap; }))
-            report.add(seamlessPath(p), "the driver has no seamless cube maps: drawn without",
-                       Fix{"Do without", {{seamlessPath(p), "false"}}});
+            report.add(seamlessPath(p), N_("the driver has no seamless cube maps: drawn without"),
+                       Fix{N_("Do without"), {{seamlessPath(p), "false"}}});
     }
 }
 
@@ -117,7 +117,7 @@ void seamlessInVain(const Case& about, Report& report) {
             continue;
         const std::vector<std::size_t> maps = cubeMapsOf(about, pass);
         if (maps.empty())
-            report.add(seamlessPath(p), "no unit of this pass shows a cube map");
+            report.add(seamlessPath(p), N_("no unit of this pass shows a cube map"));
         else if (std::ranges::none_of(maps, [&](std::size_t map) {
                      const Texture& texture = about.scene.textures[map];
                      return isLinearSomewhere(texture) || leaves(texture.wrapS) || leaves(texture.wrapT);

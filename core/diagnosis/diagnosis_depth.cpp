@@ -57,7 +57,7 @@ std::string planeText(glm::vec4 plane) {
 
 /// All four from eye coordinates.
 Fix generateEyeCoordinates(const std::string& unit) {
-    Fix fix{"Generate s, t, r and q in eye coordinates", {}};
+    Fix fix{N_("Generate s, t, r and q in eye coordinates"), {}};
     for (std::size_t axis = 0; axis < eyeCoordinates.size(); ++axis) {
         const std::string own = fmt::format("{}{}.", unit, eyeCoordinates[axis].key());
         fix.assignments.push_back({own + keyOf<&TexGen::mode>(), nameOf(TexGenMode::EyeLinear)});
@@ -122,8 +122,8 @@ void depthsAsTheyAre(const Case& about, Report& report) {
             continue;
         const std::string mode =
             fmt::format("{}.{}", elementOf<&Scene::textures>(i), keyOf<&Texture::compareMode>());
-        report.add(mode, "the depths themselves are shown; compare them with r for shadows",
-                   Fix{"Compare", {{mode, nameOf(CompareMode::RToTexture)}}});
+        report.add(mode, N_("the depths themselves are shown; compare them with r for shadows"),
+                   Fix{N_("Compare"), {{mode, nameOf(CompareMode::RToTexture)}}});
     }
 }
 
@@ -143,7 +143,7 @@ void comparesNothing(const Case& about, Report& report) {
         if (!texture || texture->compareMode == CompareMode::None || isGivenR(about.scene, unit))
             return;
         report.add(fmt::format("{}{}.{}", path, keyOf<&Unit::texGenR>(), keyOf<&TexGen::enabled>()),
-                   "r is compared with the texture's depths, but r is 0 everywhere",
+                   N_("r is compared with the texture's depths, but r is 0 everywhere"),
                    generateEyeCoordinates(path));
     });
 }
@@ -185,7 +185,7 @@ void shadowAcne(const Case& about, Report& report) {
             return;
         const Projector& projector = about.scene.light.projector;
         const float by = 0.005F * std::max(projector.nearest, projector.farthest);
-        Fix fix{"Move the coordinates towards the light", {}};
+        Fix fix{N_("Move the coordinates towards the light"), {}};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             glm::vec4 plane = identityPlane(axis);
             plane.w = by * towards[static_cast<int>(axis)];
@@ -195,18 +195,19 @@ void shadowAcne(const Case& about, Report& report) {
         }
         const auto translate = std::ranges::find(unit.matrix, MatrixOp::Translate, &MatrixStep::op);
         if (translate != unit.matrix.end())
-            fix = {"Subtract 0.005 from r",
+            fix = {N_("Subtract 0.005 from r"),
                    {{fmt::format(
                          "{}{}.{}", path,
                          elementOf<&Unit::matrix>(static_cast<std::size_t>(translate - unit.matrix.begin())),
                          keyOf<&MatrixStep::amount>()),
                      fmt::format("{},{},-0.005", formatNumber(translate->amount.x),
                                  formatNumber(translate->amount.y))}}};
-        report.add(fmt::format("{}{}.{}", path, elementOf<&Unit::matrix>(unit.matrix.size() - 1),
-                               keyOf<&MatrixStep::op>()),
-                   "surfaces are compared with their own depths, so rounding makes stripes (\"shadow acne\") "
-                   "unless an earlier step translates r by about -0.005",
-                   std::move(fix));
+        report.add(
+            fmt::format("{}{}.{}", path, elementOf<&Unit::matrix>(unit.matrix.size() - 1),
+                        keyOf<&MatrixStep::op>()),
+            N_("surfaces are compared with their own depths, so rounding makes stripes (\"shadow acne\") "
+               "unless an earlier step translates r by about -0.005"),
+            std::move(fix));
     });
 }
 
@@ -239,7 +240,7 @@ void behindTheLight(const Case& about, Report& report) {
         });
         if (reached)
             report.add(fmt::format("{}{}", path, elementOf<&Unit::matrix>(unit.matrix.size() - 1)),
-                       "the image also shows behind the light, upside down, where q is below 0");
+                       N_("the image also shows behind the light, upside down, where q is below 0"));
     });
 }
 
@@ -255,13 +256,13 @@ void lightInItsTarget(const Case& about, Report& report) {
     const std::string& position = pathOf<&Scene::light, &Light::position>();
     const std::string& target = pathOf<&Scene::light, &Light::projector>();
     if (parallel)
-        return report.add(position, "a direction of length 0: the projector looks along -z",
-                          Fix{"Shine along -z", {{position, "0,0,1,0"}}});
+        return report.add(position, N_("a direction of length 0: the projector looks along -z"),
+                          Fix{N_("Shine along -z"), {{position, "0,0,1,0"}}});
     glm::vec3 ahead = place / light.position.w;
     ahead.z += ahead.z > -900 ? -5.0F : 5.0F; // within what a parameter may be
     report.add(fmt::format("{}.{}", target, keyOf<&Projector::target>()),
-               "the light is at its own target: the projector looks along -z",
-               Fix{"Look along z",
+               N_("the light is at its own target: the projector looks along -z"),
+               Fix{N_("Look along z"),
                    {{fmt::format("{}.{}", target, keyOf<&Projector::target>()),
                      fmt::format("{},{},{}", formatNumber(ahead.x), formatNumber(ahead.y),
                                  formatNumber(ahead.z))}}});
@@ -273,9 +274,9 @@ void emptyRange(const Case& about, Report& report) {
         return;
     const std::string path = pathOf<&Scene::light, &Light::projector>() + ".";
     const std::string far = path + keyOf<&Projector::farthest>();
-    Fix fix{"Make it ten times as far", {{far, formatNumber(10 * projector.nearest)}}};
+    Fix fix{N_("Make it ten times as far"), {{far, formatNumber(10 * projector.nearest)}}};
     if (projector.farthest < projector.nearest)
-        fix = {"Exchange them",
+        fix = {N_("Exchange them"),
                {{far, formatNumber(projector.nearest)},
                 {path + keyOf<&Projector::nearest>(), formatNumber(projector.farthest)}}};
     report.add(far,
@@ -289,7 +290,7 @@ void emptyRange(const Case& about, Report& report) {
 void unusedProjector(const Case& about, Report& report) {
     if (!usesLightView(about.scene))
         report.add(pathOf<&Scene::light, &Light::projector>(),
-                   "no texture matrix has a projector step, and no texture is a shadow map");
+                   N_("no texture matrix has a projector step, and no texture is a shadow map"));
 }
 
 constexpr std::array depthRuleRows{

@@ -28,37 +28,39 @@ bool showsBorder(const Texture& texture, Wrap wrap) {
 
 Sentence noFlip(const Texture& texture, const TextureFacts& facts) {
     if (texture.source == SourceKind::Pattern)
-        return "a built-in pattern is upright";
+        return N_("a built-in pattern is upright");
     if (texture.source == SourceKind::LightDepth)
-        return "the picture that the light sees is upright";
+        return N_("the picture that the light sees is upright");
     const auto isCube = [](const TargetFacts& each) { return each.target == Target::CubeMap; };
     if (std::ranges::any_of(facts.targets, isCube)) // whose rows begin at the top
         return facts.image && facts.image->fileTopFirst && std::ranges::all_of(facts.targets, isCube)
-                   ? "the file begins with the top row, as the faces of a cube map do"
+                   ? N_("the file begins with the top row, as the faces of a cube map do")
                    : "";
     if (facts.image && !facts.image->fileTopFirst)
-        return "the file begins with the bottom row, as OpenGL does";
+        return N_("the file begins with the bottom row, as OpenGL does");
     return {};
 }
 
 Sentence noInternalFormat(const Texture&, const TextureFacts& facts) {
     const bool compressed = std::ranges::all_of(
         facts.targets, [](const TargetFacts& each) { return each.plan.blocks.has_value(); });
-    return compressed ? "a compressed texture has a format of its own; one of depths is not compressed" : "";
+    return compressed ? N_("a compressed texture has a format of its own; one of depths is not compressed")
+                      : "";
 }
 
 Sentence noScaling(const Texture&, const TextureFacts& facts) {
     if (!facts.image)
         return {};
     const Surface& base = facts.image->surfaces.front();
-    return arePowersOfTwo(widthOf(base), heightOf(base), depthOf(base)) ? "the image's size is a power of two"
-                                                                        : "";
+    return arePowersOfTwo(widthOf(base), heightOf(base), depthOf(base))
+               ? N_("the image's size is a power of two")
+               : "";
 }
 
 Sentence noWrapS(const Texture&, const TextureFacts& facts) {
     return facts.seamless
-               ? "a seamless cube map is filtered across the edges of its faces, whatever the wrap modes "
-                 "are"
+               ? N_("a seamless cube map is filtered across the edges of its faces, whatever the wrap modes "
+                    "are")
                : "";
 }
 
@@ -67,7 +69,7 @@ Sentence noWrapT(const Texture& texture, const TextureFacts& facts) {
         return noWrapS(texture, facts);
     const bool line = std::ranges::all_of(
         facts.targets, [](const TargetFacts& each) { return each.target == Target::Texture1D; });
-    return line ? "a 1D texture has only s" : "";
+    return line ? N_("a 1D texture has only s") : "";
 }
 
 Sentence noWrapR(const Texture&, const TextureFacts& facts) {
@@ -78,7 +80,7 @@ Sentence noWrapR(const Texture&, const TextureFacts& facts) {
 
 Sentence noBorderColor(const Texture& texture, const TextureFacts& facts) {
     if (facts.seamless)
-        return "a seamless cube map shows no border";
+        return N_("a seamless cube map shows no border");
     const bool shown = showsBorder(texture, texture.wrapS) ||
                        (showsBorder(texture, texture.wrapT) && noWrapT(texture, facts).empty()) ||
                        (showsBorder(texture, texture.wrapR) && facts.hasTarget(Target::Texture3D));
@@ -117,11 +119,11 @@ bool isDepthTexture(const Texture& texture) {
 }
 
 Sentence noCompression(const Texture& texture, const TextureFacts&) {
-    return isDepthTexture(texture) ? "OpenGL has no compressed depth textures" : "";
+    return isDepthTexture(texture) ? N_("OpenGL has no compressed depth textures") : "";
 }
 
 Sentence noTransparency(const Texture& texture, const TextureFacts&) {
-    return isDepthTexture(texture) ? "a depth texture has no alpha of its own" : "";
+    return isDepthTexture(texture) ? N_("a depth texture has no alpha of its own") : "";
 }
 
 Sentence noComparing(const Texture& texture, const TextureFacts&) {
@@ -172,7 +174,7 @@ void ownBorder(const Case& about, Report& report) {
     for (std::size_t i = 0; i < about.textures.size(); ++i) {
         if (about.scene.textures[i].border != 0 && about.driver.textureBorders)
             report.add(fmt::format("{}.{}", elementOf<&Scene::textures>(i), keyOf<&Texture::borderColor>()),
-                       "the texture has a border of texels");
+                       N_("the texture has a border of texels"));
     }
 }
 
@@ -196,16 +198,16 @@ void notShown(const Case& about, Report& report) {
         if (const std::optional<std::size_t> pass = passOffThatShows(about.scene, i)) {
             const std::string enabled =
                 fmt::format("{}.{}", elementOf<&Scene::passes>(*pass), keyOf<&Pass::enabled>());
-            report.add(path, "the pass that shows this texture is not drawn",
-                       Fix{"Draw it", {{enabled, "true"}}});
+            report.add(path, N_("the pass that shows this texture is not drawn"),
+                       Fix{N_("Draw it"), {{enabled, "true"}}});
             continue;
         }
         std::vector<Fix> fixes;
         forEachUnit(about.scene, [&](const Unit& unit, const std::string& owner, std::size_t) {
             if (fixes.empty() && !unit.enabled && unit.texture == static_cast<int>(i))
-                fixes = {{"Switch the unit on", {{owner + keyOf<&Unit::enabled>(), "true"}}}};
+                fixes = {{N_("Switch the unit on"), {{owner + keyOf<&Unit::enabled>(), "true"}}}};
         });
-        report.add(path, "no enabled unit shows this texture", std::move(fixes));
+        report.add(path, N_("no enabled unit shows this texture"), std::move(fixes));
     }
 }
 
@@ -219,7 +221,7 @@ void levelsUnread(const Case& about, Report& report) {
         const std::string given = nameOf(MipPolicy::Given);
         report.add(path + keyOf<&Texture::levels>(),
                    Sentence("these levels are not read with mipmaps={0}", named(texture.mipmaps)),
-                   Fix{"Read them", {{path + keyOf<&Texture::mipmaps>(), given}}});
+                   Fix{N_("Read them"), {{path + keyOf<&Texture::mipmaps>(), given}}});
     }
 }
 
@@ -230,7 +232,7 @@ void depthsUnprepared(const Case& about, Report& report) {
         if (texture.source == SourceKind::LightDepth && isDepthTexture(texture) &&
             !texture.preparation.empty())
             report.add(fmt::format("{}.{}", elementOf<&Scene::textures>(i), keyOf<&Texture::preparation>()),
-                       "depths from the light are not changed before they are compared");
+                       N_("depths from the light are not changed before they are compared"));
     }
 }
 
@@ -242,7 +244,7 @@ bool makesAlpha(const ImageStep& step) {
 Sentence lostAlpha(const Texture& texture, const TextureFacts& facts, std::size_t step) {
     const auto later = texture.preparation.begin() + static_cast<std::ptrdiff_t>(step) + 1;
     if (std::any_of(later, texture.preparation.end(), makesAlpha))
-        return "a later step replaces alpha";
+        return N_("a later step replaces alpha");
     if (texture.transparency != Transparency::File && texture.transparency != Transparency::Alpha)
         return Sentence("transparency={0} replaces alpha", named(texture.transparency));
     const auto isWithout = [](const TargetFacts& each) {

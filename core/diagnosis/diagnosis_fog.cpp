@@ -112,7 +112,7 @@ void fogRange(const Case& about, Report& report) {
                 Sentence("the fog ends at {0}, before it starts at {1}: near objects are hidden and far "
                          "ones are clear",
                          ProperName{formatNumber(fog.end)}, ProperName{formatNumber(fog.start)}),
-                Fix{"Exchange them",
+                Fix{N_("Exchange them"),
                     {{path + keyOf<&Fog::start>(), formatNumber(fog.end)}, {key, formatNumber(fog.start)}}});
         const auto distances = distancesOf(about.scene, pass);
         report.add(key,
@@ -161,8 +161,8 @@ void fogColor(const Case& about, Report& report) {
             return;
         const auto number = [&](int i) { return formatNumber(background[i]); };
         report.add(path + keyOf<&Fog::color>(),
-                   "the fog's colour differs from the background's: faded objects stand out against it",
-                   Fix{"Use the background's",
+                   N_("the fog's colour differs from the background's: faded objects stand out against it"),
+                   Fix{N_("Use the background's"),
                        {{path + keyOf<&Fog::color>(), fmt::format("{},{},{},{}", number(0), number(1),
                                                                   number(2), formatNumber(fog.color.a))}}});
     });
@@ -177,7 +177,7 @@ void otherFog(const Case& about, Report& report) {
         if (!pass.fog.enabled)
             idle({keyOf<&Fog::mode>, keyOf<&Fog::density>, keyOf<&Fog::start>, keyOf<&Fog::end>,
                   keyOf<&Fog::color>},
-                 "the fog is off");
+                 N_("the fog is off"));
         else if (pass.fog.mode == FogMode::Linear)
             idle({keyOf<&Fog::density>}, Sentence("{0} has a start and an end", named(pass.fog.mode)));
         else

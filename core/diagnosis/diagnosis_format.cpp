@@ -97,7 +97,7 @@ void averagedAsStored(const Case& about, Report& report) {
                        Sentence("the levels are averages of stored numbers, not of the amounts of light that "
                                 "{0} converts them to: seen from afar the texture is too dark",
                                 named(texture.internalFormat)),
-                       Fix{"Average light", {{path + keyOf<&Texture::mipGamma>(), "true"}}});
+                       Fix{N_("Average light"), {{path + keyOf<&Texture::mipGamma>(), "true"}}});
     });
 }
 

@@ -11,7 +11,7 @@
 namespace texplorer::diagnosis {
 namespace {
 
-constexpr const char* blocked = "the texture units replace the primary colour";
+constexpr const char* blocked = N_("the texture units replace the primary colour");
 
 bool isBlack(const glm::vec4& color) {
     return color.r == 0 && color.g == 0 && color.b == 0;
@@ -40,8 +40,8 @@ bool isDull(const Scene& scene) {
 /// Why there is no highlight for any other settings; nullptr: there may be one.
 const char* whyDull(const Scene& scene) {
     if (isDull(scene))
-        return "the material's specular colour is black";
-    return isBlack(scene.light.specular) ? "the light's specular colour is black" : nullptr;
+        return N_("the material's specular colour is black");
+    return isBlack(scene.light.specular) ? N_("the light's specular colour is black") : nullptr;
 }
 
 /// Section 3.9: the colour sum adds the highlight after texturing.
@@ -92,19 +92,20 @@ void noLight(const Case& about, Report& report) {
         if (movesCoordinates(scene)) {
             for (const ParamRow& row : lightTable().params) {
                 if (row.member != memberId<&Light::position>)
-                    report.add(fmt::format("{}.{}", keyOf<&Scene::light>(), row.key), "no pass has lighting");
+                    report.add(fmt::format("{}.{}", keyOf<&Scene::light>(), row.key),
+                               N_("no pass has lighting"));
             }
         } else
-            report.add(keyOf<&Scene::light>(), "no pass has lighting");
+            report.add(keyOf<&Scene::light>(), N_("no pass has lighting"));
         addAll(report,
                {pathOf<&Scene::material, &Material::colorMaterial>,
                 pathOf<&Scene::material, &Material::ambient>, pathOf<&Scene::material, &Material::diffuse>,
                 pathOf<&Scene::material, &Material::specular>, pathOf<&Scene::material, &Material::emission>,
                 pathOf<&Scene::material, &Material::shininess>},
-               "no pass has lighting");
+               N_("no pass has lighting"));
         if (!hasVertexColors(scene))
             report.add(pathOf<&Scene::material, &Material::shadeModel>(),
-                       "without lighting all vertices have the same colour");
+                       N_("without lighting all vertices have the same colour"));
         return;
     }
     const char* dull = whyDull(scene);
@@ -150,12 +151,13 @@ void otherReflectance(const Case& about, Report& report) {
     const auto check = [&](const Material& material, const std::string& path) {
         if (material.colorMaterial) {
             for (const Key key : {keyOf<&Material::ambient>, keyOf<&Material::diffuse>})
-                report.add(fmt::format("{}.{}", path, key()), "glColor is used instead (GL_COLOR_MATERIAL)",
-                           Fix{"Use it",
+                report.add(fmt::format("{}.{}", path, key()),
+                           N_("glColor is used instead (GL_COLOR_MATERIAL)"),
+                           Fix{N_("Use it"),
                                {{fmt::format("{}.{}", path, keyOf<&Material::colorMaterial>()), "false"}}});
         } else if (allLit)
             report.add(fmt::format("{}.{}", path, keyOf<&Material::color>()),
-                       "with lighting and without GL_COLOR_MATERIAL, ambient and diffuse are used");
+                       N_("with lighting and without GL_COLOR_MATERIAL, ambient and diffuse are used"));
     };
     check(scene.material, keyOf<&Scene::material>());
     for (std::size_t m = 0; m < scene.models.size(); ++m) {
@@ -173,7 +175,7 @@ void unusedMaterial(const Case& about, Report& report) {
         return;
     for (const ParamRow& row : modelMaterialTable().params)
         report.add(fmt::format("{}.{}", keyOf<&Scene::material>(), row.key),
-                   "every visible model has a material of its own");
+                   N_("every visible model has a material of its own"));
 }
 
 constexpr std::array lightRuleRows{

@@ -18,10 +18,10 @@ std::string modelPath(std::size_t model, const std::string& key) {
 void hiddenModel(const Case& about, Report& report) {
     for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
         if (!about.scene.models[m].visible)
-            report.add(elementOf<&Scene::models>(m), "the model is hidden",
-                       Fix{"Show it", {{modelPath(m, keyOf<&Model::visible>()), "true"}}});
+            report.add(elementOf<&Scene::models>(m), N_("the model is hidden"),
+                       Fix{N_("Show it"), {{modelPath(m, keyOf<&Model::visible>()), "true"}}});
         else if (!isDrawn(about.scene, m))
-            report.add(elementOf<&Scene::models>(m), "no enabled pass draws it");
+            report.add(elementOf<&Scene::models>(m), N_("no enabled pass draws it"));
     }
 }
 
@@ -57,16 +57,16 @@ void otherPrimitive(const Case& about, Report& report) {
     for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
         const Model& model = about.scene.models[m];
         if (partCorners(model) != 2)
-            report.add(modelPath(m, keyOf<&Model::lineWidth>()), "it has no lines");
+            report.add(modelPath(m, keyOf<&Model::lineWidth>()), N_("it has no lines"));
         if (partCorners(model) != 1)
-            report.add(modelPath(m, keyOf<&Model::pointSize>()), "it has no points");
+            report.add(modelPath(m, keyOf<&Model::pointSize>()), N_("it has no points"));
     }
 }
 
 void sharedMaterial(const Case& about, Report& report) {
     for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
         if (!about.scene.models[m].ownMaterial)
-            report.add(modelPath(m, keyOf<&Model::material>()), "it has the scene's material");
+            report.add(modelPath(m, keyOf<&Model::material>()), N_("it has the scene's material"));
     }
 }
 
@@ -86,8 +86,8 @@ void emptyMesh(const Case& about, Report& report) {
         if (given < minVertices(mesh.primitive))
             report.add(modelPath(m, keyOf<&Model::shape>()),
                        mesh.positions.empty()
-                           ? "the mesh has no vertices: nothing is drawn"
-                           : "the mesh has too few vertices for its primitive: nothing is drawn");
+                           ? N_("the mesh has no vertices: nothing is drawn")
+                           : N_("the mesh has too few vertices for its primitive: nothing is drawn"));
     }
 }
 

@@ -24,15 +24,16 @@ void passOff(const Case& about, Report& report) {
     for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
         const std::string path = elementOf<&Scene::passes>(p);
         if (!about.scene.passes[p].enabled)
-            report.add(path, "the pass is not drawn",
-                       Fix{"Draw it", {{fmt::format("{}.{}", path, keyOf<&Pass::enabled>()), "true"}}});
+            report.add(path, N_("the pass is not drawn"),
+                       Fix{N_("Draw it"), {{fmt::format("{}.{}", path, keyOf<&Pass::enabled>()), "true"}}});
     }
 }
 
 void emptyPass(const Case& about, Report& report) {
     forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
         if (!pass.models.empty() && !drawsAnything(about.scene, pass))
-            report.add(path + keyOf<&Pass::models>(), "all models of this pass are hidden: it draws nothing");
+            report.add(path + keyOf<&Pass::models>(),
+                       N_("all models of this pass are hidden: it draws nothing"));
     });
 }
 
@@ -42,7 +43,7 @@ void nothingPasses(const Case& about, Report& report) {
             report.add(
                 path + keyOf<&Pass::alphaFunc>(),
                 Sentence("{0} lets no fragment through: this pass draws nothing", named(pass.alphaFunc)),
-                Fix{"Switch the alpha test off", {{path + keyOf<&Pass::alphaTest>(), "false"}}});
+                Fix{N_("Switch the alpha test off"), {{path + keyOf<&Pass::alphaTest>(), "false"}}});
         if (pass.depthTest && pass.depthFunc == CompareFunc::Never)
             report.add(
                 path + keyOf<&Pass::depthFunc>(),
@@ -62,8 +63,8 @@ void hiddenPass(const Case& about, Report& report) {
             !models.empty() && std::ranges::all_of(models, [&](std::size_t model) { return written[model]; });
         if (drawn && pass.depthTest && strict)
             report.add(path + keyOf<&Pass::depthFunc>(),
-                       "an earlier pass has drawn the same surfaces, and no depth is less than itself: "
-                       "this pass draws nothing",
+                       N_("an earlier pass has drawn the same surfaces, and no depth is less than itself: "
+                          "this pass draws nothing"),
                        Fix{Sentence("Set {0}", named(CompareFunc::LessEqual)),
                            {{path + keyOf<&Pass::depthFunc>(), nameOf(CompareFunc::LessEqual)}}});
         const bool writes = strict || pass.depthFunc == CompareFunc::LessEqual;
@@ -109,30 +110,30 @@ void noDepthTest(const Case& about, Report& report) {
             pass.blend && (pass.blendSrc != BlendFactor::One || pass.blendDst != BlendFactor::Zero);
         if (pass.depthTest || blends || !canHide(about.scene, pass))
             return;
-        Fix fix{"Switch the depth test on", {{path + keyOf<&Pass::depthTest>(), "true"}}};
+        Fix fix{N_("Switch the depth test on"), {{path + keyOf<&Pass::depthTest>(), "true"}}};
         if (p > 0) // no depth is less than that of a pass before
             fix.assignments.push_back({path + keyOf<&Pass::depthFunc>(), nameOf(CompareFunc::LessEqual)});
         report.add(path + keyOf<&Pass::depthTest>(),
-                   "there is no depth test: what is drawn last covers nearer surfaces", std::move(fix));
+                   N_("there is no depth test: what is drawn last covers nearer surfaces"), std::move(fix));
     });
 }
 
 void noFragmentTest(const Case& about, Report& report) {
     forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
         if (!pass.depthTest)
-            report.add(path + keyOf<&Pass::depthFunc>(), "the depth test is off");
+            report.add(path + keyOf<&Pass::depthFunc>(), N_("the depth test is off"));
         if (!pass.alphaTest) {
-            report.add(path + keyOf<&Pass::alphaFunc>(), "the alpha test is off");
-            report.add(path + keyOf<&Pass::alphaRef>(), "the alpha test is off");
+            report.add(path + keyOf<&Pass::alphaFunc>(), N_("the alpha test is off"));
+            report.add(path + keyOf<&Pass::alphaRef>(), N_("the alpha test is off"));
         } else if (pass.alphaFunc == CompareFunc::Always || pass.alphaFunc == CompareFunc::Never)
             report.add(path + keyOf<&Pass::alphaRef>(),
                        Sentence("{0} compares nothing", named(pass.alphaFunc)));
         if (!pass.blend) {
-            report.add(path + keyOf<&Pass::blendSrc>(), "blending is off");
-            report.add(path + keyOf<&Pass::blendDst>(), "blending is off");
+            report.add(path + keyOf<&Pass::blendSrc>(), N_("blending is off"));
+            report.add(path + keyOf<&Pass::blendDst>(), N_("blending is off"));
         } else if (pass.blendSrc == BlendFactor::One && pass.blendDst == BlendFactor::Zero)
             report.add(path + keyOf<&Pass::blend>(),
-                       "with these factors the new colour replaces the old one, as without blending");
+                       N_("with these factors the new colour replaces the old one, as without blending"));
     });
 }
 
@@ -205,16 +206,16 @@ void ignoredHint(const Case& about, Report& report) {
     const View& view = about.scene.view;
     if (view.perspectiveHint == HintMode::Fastest && view.projection == Projection::Perspective)
         report.add(pathOf<&Scene::view, &View::perspectiveHint>(),
-                   "the fixed function may ignore this hint, and most drivers do; the shaders and the "
-                   "reference interpolate without perspective",
-                   Fix{"Correct the perspective",
+                   N_("the fixed function may ignore this hint, and most drivers do; the shaders and the "
+                      "reference interpolate without perspective"),
+                   Fix{N_("Correct the perspective"),
                        {{pathOf<&Scene::view, &View::perspectiveHint>(), nameOf(HintMode::Nicest)}}});
 }
 
 void nothingToCorrect(const Case& about, Report& report) {
     if (about.scene.view.projection == Projection::Orthographic)
         report.add(pathOf<&Scene::view, &View::perspectiveHint>(),
-                   "an orthographic view has no perspective to correct");
+                   N_("an orthographic view has no perspective to correct"));
 }
 
 constexpr std::array passRuleRows{

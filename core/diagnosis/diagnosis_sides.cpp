@@ -92,7 +92,7 @@ void darkBack(const Case& about, Report& report) {
                 Sentence("the back of {0} is in view but lit with the normals of its front, which look "
                          "away from the light: it stays dark",
                          ProperName{elementOf<&Scene::models>(model)}),
-                Fix{"Light both sides", {{path, "true"}}});
+                Fix{N_("Light both sides"), {{path, "true"}}});
         }
     }
 }
@@ -141,7 +141,7 @@ void noBack(const Case& about, Report& report) {
     }
     if (lit)
         report.add(pathOf<&Scene::light, &Light::twoSide>(),
-                   "all lit models are closed and seen from outside, or have no sides");
+                   N_("all lit models are closed and seen from outside, or have no sides"));
 }
 
 constexpr std::array sideRuleRows{

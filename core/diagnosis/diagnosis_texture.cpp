@@ -39,7 +39,7 @@ void missingFile(const Case& about, Report& report) {
         if (facts.image)
             return;
         report.add(path + keyOf<&Texture::file>(),
-                   texture.file.empty() ? "the texture needs an image file, but names none"
+                   texture.file.empty() ? N_("the texture needs an image file, but names none")
                                         : Sentence("{0} can't be found or read", ProperName{texture.file}));
     });
 }
@@ -50,17 +50,18 @@ void missingPart(const Case& about, Report& report) {
         const auto add = [&](const std::string& part, const std::string& file, std::string_view effect) {
             report.add(fmt::format("{}{}.{}", path, part, keyOf<&Texture::file>()),
                        Sentence("{0}: {1}",
-                                file.empty() ? "an image file is needed, but none is named"
+                                file.empty() ? N_("an image file is needed, but none is named")
                                              : Sentence("{0} can't be found or read", ProperName{file}),
                                 effect));
         };
         for (std::size_t i = 0; i < texture.levels.size() && texture.mipmaps == MipPolicy::Given; ++i) {
             if (!facts.pictures.level(i))
-                add(elementOf<&Texture::levels>(i), texture.levels[i].file, "there is no such level");
+                add(elementOf<&Texture::levels>(i), texture.levels[i].file, N_("there is no such level"));
         }
         for (std::size_t i = 0; i < texture.preparation.size(); ++i) {
             if (texture.preparation[i].op == ImageOp::AlphaFrom && !facts.pictures.other(i))
-                add(elementOf<&Texture::preparation>(i), texture.preparation[i].file, "the step is skipped");
+                add(elementOf<&Texture::preparation>(i), texture.preparation[i].file,
+                    N_("the step is skipped"));
         }
     });
 }
@@ -100,7 +101,7 @@ std::vector<Cure> curesOf(const Texture& texture, int lastLevel, const std::stri
         }
     }
     if (texture.mipmaps != MipPolicy::Generated)
-        add(beginsAt0 ? "Begin at level 0 and generate mipmaps" : "Generate mipmaps",
+        add(beginsAt0 ? N_("Begin at level 0 and generate mipmaps") : N_("Generate mipmaps"),
             keyOf<&Texture::mipmaps>(), nameOf(MipPolicy::Generated),
             [](Texture& cured) { cured.mipmaps = MipPolicy::Generated; });
     for (int level = lastLevel; level >= texture.baseLevel; --level)
@@ -197,7 +198,7 @@ void lodRange(const Case& about, Report& report) {
         report.add(path + keyOf<&Texture::minLod>(),
                    Sentence("the min LOD, {0}, exceeds the max LOD, {1}: the picture is undefined in OpenGL",
                             ProperName{low}, ProperName{high}),
-                   Fix{"Exchange them",
+                   Fix{N_("Exchange them"),
                        {{path + keyOf<&Texture::minLod>(), high}, {path + keyOf<&Texture::maxLod>(), low}}});
     });
 }
@@ -210,7 +211,7 @@ void anisotropyLimit(const Case& about, Report& report) {
         const std::string most = formatNumber(limit);
         report.add(path + keyOf<&Texture::maxAnisotropy>(),
                    limit <= 1
-                       ? "the driver has no anisotropic filtering"
+                       ? N_("the driver has no anisotropic filtering")
                        : Sentence("an anisotropy of {0} exceeds the driver's {1}, which is used instead",
                                   ProperName{formatNumber(texture.maxAnisotropy)}, ProperName{most}),
                    Fix{Sentence("Set anisotropy to {0}", ProperName{most}),
@@ -266,7 +267,7 @@ void addHeldBack(const Case& about, std::string_view driver, Report& report) {
         const std::string path =
             fmt::format("{}.{}", elementOf<&Scene::textures>(i), keyOf<&Texture::maxAnisotropy>());
         for (const std::string_view sentence : sentences[i])
-            report.add(path, sentence, Fix{"Set anisotropy to 1", {{path, "1"}}});
+            report.add(path, sentence, Fix{N_("Set anisotropy to 1"), {{path, "1"}}});
     }
 }
 
@@ -302,7 +303,7 @@ void nonPowerOfTwo(const Case& about, Report& report) {
             return;
         std::vector<Fix> fixes;
         if (texture.mipmaps != MipPolicy::FromFile)
-            fixes = {{"Scale it", {{path + keyOf<&Texture::npot>(), nameOf(NpotPolicy::PowerOfTwo)}}}};
+            fixes = {{N_("Scale it"), {{path + keyOf<&Texture::npot>(), nameOf(NpotPolicy::PowerOfTwo)}}}};
         report.add(path + keyOf<&Texture::npot>(),
                    Sentence("{0} texels: the driver supports powers of two only (no "
                             "GL_ARB_texture_non_power_of_two)",
@@ -365,9 +366,9 @@ void lostBorder(const Case& about, Report& report) {
     forEachTexture(about, [&](const Texture& texture, const TextureFacts&, const std::string& path) {
         if (texture.border != 0)
             report.add(path + keyOf<&Texture::border>(),
-                       "the driver drops a texture's border and uses the border colour instead; the "
-                       "reference renderer shows the border",
-                       Fix{"Do without it", {{path + keyOf<&Texture::border>(), "0"}}});
+                       N_("the driver drops a texture's border and uses the border colour instead; the "
+                          "reference renderer shows the border"),
+                       Fix{N_("Do without it"), {{path + keyOf<&Texture::border>(), "0"}}});
     });
 }
 
@@ -380,9 +381,10 @@ void roughLambda(const Case& about, Report& report) {
     forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
         if (texture.mipmaps == MipPolicy::Given && reference::wantsMipmaps(texture.minFilter) &&
             facts.targets.front().plan.levels.size() > 1)
-            report.add(path + keyOf<&Texture::minFilter>(),
-                       "llvmpipe computes lambda once for 2 × 2 pixels, up to 0.1 off: levels change a few "
-                       "pixels earlier or later than in the reference renderer");
+            report.add(
+                path + keyOf<&Texture::minFilter>(),
+                N_("llvmpipe computes lambda once for 2 × 2 pixels, up to 0.1 off: levels change a few "
+                   "pixels earlier or later than in the reference renderer"));
     });
 }
 

@@ -31,9 +31,9 @@ void missingTexture(const Case& about, Report& report) {
     forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
         if (!unit.enabled || about.textureOf(unit))
             return;
-        Fix fix{"Switch the unit off", {{path + keyOf<&Unit::enabled>(), "false"}}};
+        Fix fix{N_("Switch the unit off"), {{path + keyOf<&Unit::enabled>(), "false"}}};
         if (count > 0)
-            fix = {"Bind texture 0", {{path + keyOf<&Unit::texture>(), "0"}}};
+            fix = {N_("Bind texture 0"), {{path + keyOf<&Unit::texture>(), "0"}}};
         report.add(path + keyOf<&Unit::texture>(),
                    Sentence("there is no texture {0}, the scene has {1}", unit.texture, count),
                    std::move(fix));
@@ -52,7 +52,7 @@ Sentence insteadOfUnit(EnvMode mode) {
                               Row{EnvMode::Decal, BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha}};
     const auto* found = std::ranges::find(rows, mode, &Row::mode);
     return found == rows.end()
-               ? "use more passes with blending instead of more units"
+               ? N_("use more passes with blending instead of more units")
                : Sentence("one more pass with its texture alone, blended with {0} and {1}, does the same",
                           named(found->source), named(found->destination));
 }
@@ -69,7 +69,7 @@ void unitLimit(const Case& about, Report& report) {
                        Sentence("the driver has {0}: drawn without this one; {1}",
                                 Sentence::plural("{0} texture unit", "{0} texture units", limit),
                                 insteadOfUnit(unit.envMode)),
-                       Fix{"Switch the unit off", {{path, "false"}}});
+                       Fix{N_("Switch the unit off"), {{path, "false"}}});
         }
     }
 }
@@ -103,8 +103,8 @@ void collapsingMatrix(const Case& about, Report& report) {
             const std::string amount =
                 fmt::format("{}{}.{}", path, elementOf<&Unit::matrix>(i), keyOf<&MatrixStep::amount>());
             if (step.op == MatrixOp::Rotate && step.amount == glm::vec3(0) && step.rate == glm::vec3(0))
-                report.add(amount, "the axis has length 0: the rotation is undefined in OpenGL",
-                           Fix{"Rotate about r", {{amount, "0,0,1"}}});
+                report.add(amount, N_("the axis has length 0: the rotation is undefined in OpenGL"),
+                           Fix{N_("Rotate about r"), {{amount, "0,0,1"}}});
             if (step.op != MatrixOp::Scale)
                 continue;
             std::vector<Sentence> collapsed;
@@ -121,7 +121,7 @@ void collapsingMatrix(const Case& about, Report& report) {
                     Sentence(
                         "a scale of 0 gives all vertices the same {0}: the image shrinks to a line or a texel",
                         Sentence::joined("{0} and {1}", collapsed)),
-                    Fix{"Scale by 1", {{amount, mended}}});
+                    Fix{N_("Scale by 1"), {{amount, mended}}});
         }
     });
 }
@@ -142,7 +142,7 @@ void flatDirection(const Case& about, Report& report) {
             if (!about.scene.passes[p].enabled || !unit.enabled || unit.target != Target::CubeMap ||
                 unit.texGenR.enabled || !unit.matrix.empty() || modelsHaveR(about.scene, u))
                 continue;
-            Fix fix{"Reflect", {}};
+            Fix fix{N_("Reflect"), {}};
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const std::string own = unitPath(p, u) + generated[axis].key();
                 fix.assignments.push_back(
@@ -168,8 +168,8 @@ void generatedZeroQ(const Case& about, Report& report) {
             return;
         const std::string plane = path + (object ? pathOf<&Unit::texGenQ, &TexGen::objectPlane>()
                                                  : pathOf<&Unit::texGenQ, &TexGen::eyePlane>());
-        report.add(plane, "this plane makes q 0 everywhere, but s, t and r are divided by q",
-                   Fix{"Make q 1", {{plane, "0,0,0,1"}}});
+        report.add(plane, N_("this plane makes q 0 everywhere, but s, t and r are divided by q"),
+                   Fix{N_("Make q 1"), {{plane, "0,0,0,1"}}});
     });
 }
 
@@ -180,8 +180,8 @@ void unitOff(const Case& about, Report& report) {
             return;
         std::vector<Fix> fixes;
         if (about.textureOf(unit))
-            fixes = {{"Switch the unit on", {{path + keyOf<&Unit::enabled>(), "true"}}}};
-        report.add(path.substr(0, path.size() - 1), "the unit is off", std::move(fixes));
+            fixes = {{N_("Switch the unit on"), {{path + keyOf<&Unit::enabled>(), "true"}}}};
+        report.add(path.substr(0, path.size() - 1), N_("the unit is off"), std::move(fixes));
     });
 }
 
@@ -230,7 +230,7 @@ void noGeneration(const Case& about, Report& report) {
             const std::string own = fmt::format("{}{}.", path, each.key());
             const Sentence reason = state.enabled
                                         ? Sentence("{0} does not read this plane", named(state.mode))
-                                        : "the vertex's own coordinate is taken";
+                                        : N_("the vertex's own coordinate is taken");
             if (!state.enabled)
                 report.add(own + keyOf<&TexGen::mode>(), reason);
             if (!state.enabled || state.mode != TexGenMode::ObjectLinear)
@@ -302,7 +302,7 @@ void overruledTexture(const Case& about, Report& report) {
         });
         if (!reaches)
             report.add(elementOf<&Scene::textures>(i),
-                       "later units replace the result of those that show it");
+                       N_("later units replace the result of those that show it"));
     }
 }
 
@@ -357,7 +357,7 @@ void embossOff(const Case& about, Report& report) {
             return;
         for (const Key key : {keyOf<&Emboss::depth>, keyOf<&Emboss::carrier>})
             report.add(fmt::format("{}{}.{}", path, keyOf<&Unit::emboss>(), key()),
-                       "these coordinates don't follow the light");
+                       N_("these coordinates don't follow the light"));
     });
 }
 

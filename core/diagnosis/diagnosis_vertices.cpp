@@ -54,7 +54,7 @@ std::vector<Fix> normalFixes(const Scene& scene, std::size_t model, const std::s
     std::ranges::replace_if(
         normals, [](glm::vec3 each) { return !(glm::length(each) > 0); }, glm::vec3(0, 0, 1));
     const Result<std::string> value = getParam(fixed, path);
-    return value ? std::vector{Fix{"Make them 0,0,1", {{path, *value}}}} : std::vector<Fix>();
+    return value ? std::vector{Fix{N_("Make them 0,0,1"), {{path, *value}}}} : std::vector<Fix>();
 }
 
 /// Section 2.11.3 divides by the length; section 2.1.1 leaves the result open.
@@ -171,7 +171,7 @@ void longLines(const Case& about, Report& report) {
                 continue;
             report.add(
                 fmt::format("{}.{}", elementOf<&Scene::models>(m), keyOf<&Model::mesh>()),
-                "a line is more than a million pixels long: llvmpipe loses pixels at the ends of such lines");
+                N_("a line is more than a million pixels long: llvmpipe loses pixels at the ends of such lines"));
             break;
         }
     }

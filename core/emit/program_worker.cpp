@@ -9,8 +9,9 @@
 namespace texplorer::emit {
 namespace {
 
-constexpr FailureWords texelsFailure{"not enough memory for its texels", "its texels can't be made"};
-constexpr FailureWords programFailure{"not enough memory for the program", "the program can't be written"};
+constexpr FailureWords texelsFailure{N_("not enough memory for its texels"), N_("its texels can't be made")};
+constexpr FailureWords programFailure{N_("not enough memory for the program"),
+                                      N_("the program can't be written")};
 
 /// Whether the program of a scene is written in a few milliseconds: once, and without large meshes.
 bool isQuickToWrite(const Scene& scene) {

@@ -11,14 +11,14 @@ namespace texplorer {
 /// The kind of something that is not a regular file, as the end of a sentence: "is a directory".
 [[nodiscard]] inline std::string_view kindName(mode_t mode) {
     if (S_ISDIR(mode))
-        return "a directory";
+        return N_("a directory");
     if (S_ISFIFO(mode))
-        return "a pipe";
+        return N_("a pipe");
     if (S_ISSOCK(mode))
-        return "a socket";
+        return N_("a socket");
     if (S_ISLNK(mode))
-        return "a link";
-    return S_ISREG(mode) ? "a file" : "a device";
+        return N_("a link");
+    return S_ISREG(mode) ? N_("a file") : N_("a device");
 }
 
 /// The system's message for an errno: "No such file or directory".

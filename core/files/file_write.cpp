@@ -9,8 +9,6 @@
 #include "texplorer/files/new_folders.h"
 #include "texplorer/files/open_directory.h"
 
-#include <fmt/core.h>
-
 #include <cerrno>
 #include <fcntl.h>
 #include <optional>
@@ -28,7 +26,7 @@ tl::unexpected<Error> unwritable(const Sentence& what, int error, const std::str
 }
 
 tl::unexpected<Error> unwritable(int error, const std::string& where) {
-    return unwritable("can't be written", error, where);
+    return unwritable(N_("can't be written"), error, where);
 }
 
 // Where a chain of symbolic links ends, be there a file or not.
@@ -40,7 +38,7 @@ Result<fs::path> followLinks(fs::path path) {
             return path;
         const fs::path next = fs::read_symlink(path, error);
         if (error)
-            return unwritable("the link can't be read", error.value(), asked);
+            return unwritable(N_("the link can't be read"), error.value(), asked);
         path = next.is_absolute() ? next : path.parent_path() / next;
     }
     return unwritable(ELOOP, asked);
@@ -165,11 +163,11 @@ Result<void> writeFolderAtomically(const fs::path& folder, std::span<const FileC
 
     NewFolders made;
     if (!made.make(fs::absolute(folder)))
-        return unwritable("can't create the folder", errno, folder.string());
+        return unwritable(N_("can't create the folder"), errno, folder.string());
     for (const FileContent& file : files) {
         const fs::path below = fs::path(file.name).parent_path();
         if (!below.empty() && !made.make(fs::absolute(folder / below)))
-            return unwritable("can't create the folder", errno, (folder / below).string());
+            return unwritable(N_("can't create the folder"), errno, (folder / below).string());
     }
     const Descriptor directory = openDirectory(folder);
     if (!directory.valid())

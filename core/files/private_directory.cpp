@@ -3,8 +3,6 @@
 #include "texplorer/files/file_kind.h"
 #include "texplorer/files/file_owner.h"
 
-#include <fmt/core.h>
-
 #include <cerrno>
 #include <fcntl.h>
 #include <sys/stat.h>

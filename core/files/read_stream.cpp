@@ -2,8 +2,6 @@
 
 #include "texplorer/files/file_kind.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <new>

@@ -8,20 +8,20 @@ namespace texplorer {
 [[nodiscard]] constexpr std::string_view equationOf(CombineRgb function) {
     switch (function) {
     case CombineRgb::Replace:
-        return "Arg0";
+        return N_("Arg0");
     case CombineRgb::Modulate:
-        return "Arg0 × Arg1";
+        return N_("Arg0 × Arg1");
     case CombineRgb::Add:
-        return "Arg0 + Arg1";
+        return N_("Arg0 + Arg1");
     case CombineRgb::AddSigned:
-        return "Arg0 + Arg1 − ½";
+        return N_("Arg0 + Arg1 − ½");
     case CombineRgb::Interpolate:
-        return "Arg0 × Arg2 + Arg1 × (1 − Arg2)";
+        return N_("Arg0 × Arg2 + Arg1 × (1 − Arg2)");
     case CombineRgb::Subtract:
-        return "Arg0 − Arg1";
+        return N_("Arg0 − Arg1");
     case CombineRgb::Dot3Rgb:
     case CombineRgb::Dot3Rgba:
-        return "4 × (Arg0 − ½) · (Arg1 − ½)";
+        return N_("4 × (Arg0 − ½) · (Arg1 − ½)");
     }
     return {};
 }

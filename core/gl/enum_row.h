@@ -3,6 +3,8 @@
 // The vocabulary: one row per enumerant. Its name, label and help are written nowhere else; panels, JSON,
 // `texshot params`, `--set`, the command view and error messages read the rows.
 
+#include "texplorer/base/translatable.h"
+
 #include <algorithm>
 #include <array>
 #include <concepts>

@@ -75,14 +75,14 @@ inline constexpr std::array blendFactorRows{
     row(BlendFactor::SrcAlpha, "GL_SRC_ALPHA", "Source alpha", "Times the new fragment's alpha.", "1.0"),
     row(BlendFactor::OneMinusSrcAlpha, "GL_ONE_MINUS_SRC_ALPHA", "1 - source alpha",
         "Times one minus the new fragment's alpha.", "1.0"),
-    blendFactorRow(BlendFactor::DstAlpha, "GL_DST_ALPHA", "Destination alpha", "Times the stored alpha.",
-                   "Stored alpha"),
-    blendFactorRow(BlendFactor::OneMinusDstAlpha, "GL_ONE_MINUS_DST_ALPHA", "1 - destination alpha",
-                   "Times one minus the stored alpha.", "1 - stored alpha"),
-    blendFactorRow(BlendFactor::DstColor, "GL_DST_COLOR", "Destination colour", "Times the stored colour.",
-                   "Stored colour"),
-    blendFactorRow(BlendFactor::OneMinusDstColor, "GL_ONE_MINUS_DST_COLOR", "1 - destination colour",
-                   "Times one minus the stored colour.", "1 - stored colour"),
+    blendFactorRow(BlendFactor::DstAlpha, "GL_DST_ALPHA", N_("Destination alpha"),
+                   N_("Times the stored alpha."), N_("Stored alpha")),
+    blendFactorRow(BlendFactor::OneMinusDstAlpha, "GL_ONE_MINUS_DST_ALPHA", N_("1 - destination alpha"),
+                   N_("Times one minus the stored alpha."), N_("1 - stored alpha")),
+    blendFactorRow(BlendFactor::DstColor, "GL_DST_COLOR", N_("Destination colour"),
+                   N_("Times the stored colour."), N_("Stored colour")),
+    blendFactorRow(BlendFactor::OneMinusDstColor, "GL_ONE_MINUS_DST_COLOR", N_("1 - destination colour"),
+                   N_("Times one minus the stored colour."), N_("1 - stored colour")),
 };
 
 template<>

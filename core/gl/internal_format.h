@@ -108,11 +108,11 @@ inline constexpr std::array formatFacts{
     case Encoding::Srgb:
         return "sRGB";
     case Encoding::Depth:
-        return "Depths";
+        return N_("Depths");
     case Encoding::Linear:
         break;
     }
-    return hasFewBits(format) ? "Few bits" : "8 bits";
+    return hasFewBits(format) ? N_("Few bits") : N_("8 bits");
 }
 
 inline constexpr auto internalFormatRows = [] {

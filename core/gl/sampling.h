@@ -78,23 +78,25 @@ constexpr EnumRow minFilterRow(MinFilter value, std::string_view name, std::stri
 
 inline constexpr std::array minFilterRows{
     minFilterRow(MinFilter::Nearest, "GL_NEAREST", "Nearest",
-                 "One texel of the base level, however many the pixel covers. Shimmers and aliases.",
-                 "No mipmaps"),
-    minFilterRow(MinFilter::Linear, "GL_LINEAR", "Linear",
-                 "2 × 2 texels of the base level. Still aliases where a pixel covers more than two texels.",
-                 "No mipmaps"),
-    minFilterRow(MinFilter::NearestMipmapNearest, "GL_NEAREST_MIPMAP_NEAREST", "Nearest, nearest mip",
-                 "One texel of the one mip level that fits the pixel best.", "Nearest mip", "Nearest"),
-    minFilterRow(MinFilter::LinearMipmapNearest, "GL_LINEAR_MIPMAP_NEAREST", "Linear, nearest mip",
-                 "2 × 2 texels of the best mip level. The change from level to level shows as a seam.",
-                 "Nearest mip", "Linear"),
-    minFilterRow(MinFilter::NearestMipmapLinear, "GL_NEAREST_MIPMAP_LINEAR", "Nearest, blended mips",
-                 "One texel from each of two mip levels, blended. GL's initial value; without mipmaps the "
-                 "texture is incomplete.",
-                 "Blended mips", "Nearest"),
-    minFilterRow(MinFilter::LinearMipmapLinear, "GL_LINEAR_MIPMAP_LINEAR", "Trilinear",
-                 "2 × 2 texels from each of two mip levels, blended. No seams, the smoothest of the six.",
-                 "Blended mips"),
+                 N_("One texel of the base level, however many the pixel covers. Shimmers and aliases."),
+                 N_("No mipmaps")),
+    minFilterRow(
+        MinFilter::Linear, "GL_LINEAR", "Linear",
+        N_("2 × 2 texels of the base level. Still aliases where a pixel covers more than two texels."),
+        N_("No mipmaps")),
+    minFilterRow(MinFilter::NearestMipmapNearest, "GL_NEAREST_MIPMAP_NEAREST", N_("Nearest, nearest mip"),
+                 N_("One texel of the one mip level that fits the pixel best."), N_("Nearest mip"),
+                 "Nearest"),
+    minFilterRow(MinFilter::LinearMipmapNearest, "GL_LINEAR_MIPMAP_NEAREST", N_("Linear, nearest mip"),
+                 N_("2 × 2 texels of the best mip level. The change from level to level shows as a seam."),
+                 N_("Nearest mip"), "Linear"),
+    minFilterRow(MinFilter::NearestMipmapLinear, "GL_NEAREST_MIPMAP_LINEAR", N_("Nearest, blended mips"),
+                 N_("One texel from each of two mip levels, blended. GL's initial value; without mipmaps the "
+                    "texture is incomplete."),
+                 N_("Blended mips"), "Nearest"),
+    minFilterRow(MinFilter::LinearMipmapLinear, "GL_LINEAR_MIPMAP_LINEAR", N_("Trilinear"),
+                 N_("2 × 2 texels from each of two mip levels, blended. No seams, the smoothest of the six."),
+                 N_("Blended mips")),
 };
 
 constexpr EnumRow wrapRow(Wrap value, std::string_view name, std::string_view label, std::string_view help,
@@ -103,20 +105,21 @@ constexpr EnumRow wrapRow(Wrap value, std::string_view name, std::string_view la
 }
 
 inline constexpr std::array wrapRows{
-    wrapRow(Wrap::Repeat, "GL_REPEAT", "Repeat",
-            "Drops the integer part of the coordinate, so the image "
-            "tiles.",
+    wrapRow(Wrap::Repeat, "GL_REPEAT", N_("Repeat"),
+            N_("Drops the integer part of the coordinate, so the image "
+               "tiles."),
             "1.0"),
-    wrapRow(Wrap::MirroredRepeat, "GL_MIRRORED_REPEAT", "Mirrored repeat",
-            "Tiles with every second copy reversed, so that edges meet without a seam.", "1.4", "Mirror"),
-    wrapRow(Wrap::ClampToEdge, "GL_CLAMP_TO_EDGE", "Clamp to edge",
-            "The outermost texels of the image continue outside of it.", "1.2", "Edge"),
-    wrapRow(Wrap::ClampToBorder, "GL_CLAMP_TO_BORDER", "Clamp to border",
-            "Outside the image is the border colour.", "1.3", "Border"),
+    wrapRow(Wrap::MirroredRepeat, "GL_MIRRORED_REPEAT", N_("Mirrored repeat"),
+            N_("Tiles with every second copy reversed, so that edges meet without a seam."), "1.4",
+            N_("Mirror")),
+    wrapRow(Wrap::ClampToEdge, "GL_CLAMP_TO_EDGE", N_("Clamp to edge"),
+            N_("The outermost texels of the image continue outside of it."), "1.2", N_("Edge")),
+    wrapRow(Wrap::ClampToBorder, "GL_CLAMP_TO_BORDER", N_("Clamp to border"),
+            N_("Outside the image is the border colour."), "1.3", N_("Border")),
     wrapRow(
-        Wrap::Clamp, "GL_CLAMP", "Clamp (legacy)",
-        "Clamps the coordinate to [0, 1]. With a linear filter the edge is half image, half border colour.",
-        "1.0", "Clamp"),
+        Wrap::Clamp, "GL_CLAMP", N_("Clamp (legacy)"),
+        N_("Clamps the coordinate to [0, 1]. With a linear filter the edge is half image, half border colour."),
+        "1.0", N_("Clamp")),
 };
 
 inline constexpr std::array targetRows{

@@ -1,7 +1,5 @@
 #include "texplorer/glsl/shader_pieces.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cassert>
 

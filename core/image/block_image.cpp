@@ -1,7 +1,5 @@
 #include "texplorer/image/block_image.h"
 
-#include <fmt/core.h>
-
 #include <string>
 
 namespace texplorer {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "texplorer/base/translatable.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,12 +21,12 @@ struct PixelFormatRow {
 };
 
 inline constexpr std::array pixelFormatRows{
-    PixelFormatRow{PixelFormat::Alpha8, 1, "alpha, 8 bits"},
-    PixelFormatRow{PixelFormat::Luminance8, 1, "luminance, 8 bits"},
-    PixelFormatRow{PixelFormat::LuminanceAlpha8, 2, "luminance and alpha, 8 bits each"},
-    PixelFormatRow{PixelFormat::Rgb8, 3, "RGB, 8 bits each"},
-    PixelFormatRow{PixelFormat::Rgba8, 4, "RGBA, 8 bits each"},
-    PixelFormatRow{PixelFormat::Depth32, 4, "depth, 32 bits"},
+    PixelFormatRow{PixelFormat::Alpha8, 1, N_("alpha, 8 bits")},
+    PixelFormatRow{PixelFormat::Luminance8, 1, N_("luminance, 8 bits")},
+    PixelFormatRow{PixelFormat::LuminanceAlpha8, 2, N_("luminance and alpha, 8 bits each")},
+    PixelFormatRow{PixelFormat::Rgb8, 3, N_("RGB, 8 bits each")},
+    PixelFormatRow{PixelFormat::Rgba8, 4, N_("RGBA, 8 bits each")},
+    PixelFormatRow{PixelFormat::Depth32, 4, N_("depth, 32 bits")},
 };
 
 /// The formats of files.

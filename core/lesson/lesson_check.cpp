@@ -87,7 +87,7 @@ void checkTask(const Predict& predict, const LessonScene& start, const std::stri
             problems.push_back(at(where, picture.error()));
         else if (std::ranges::any_of(pictures, [&](const Image& other) { return areAlike(other, *picture); }))
             problems.push_back(
-                {ErrorCode::Malformed, "its picture looks like that of another answer", where});
+                {ErrorCode::Malformed, N_("its picture looks like that of another answer"), where});
         else
             pictures.push_back(*std::move(picture));
     }
@@ -120,11 +120,11 @@ void checkFallback(const LessonFolder& folder, const Lesson& lesson, std::size_t
                    Problems& problems) {
     const std::string where = placeOf(step) + "/fallback";
     if (!wordsIn(lesson.steps[step].fallback->text).empty())
-        problems.push_back(
-            {ErrorCode::Malformed, "expected no word in braces: this text has no picture", where + "/text"});
+        problems.push_back({ErrorCode::Malformed, N_("expected no word in braces: this text has no picture"),
+                            where + "/text"});
     if (unitsUsed(start) < 2)
         return problems.push_back(
-            {ErrorCode::Malformed, "the step's scene uses one texture unit, so it is not needed", where});
+            {ErrorCode::Malformed, N_("the step's scene uses one texture unit, so it is not needed"), where});
     const Result<LessonScene> instead = startOf(folder, lesson, step, StepImages::Leave, 1);
     if (!instead)
         problems.push_back(instead.error());

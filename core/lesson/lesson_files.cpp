@@ -2,8 +2,6 @@
 
 #include "texplorer/files/file_io.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 
@@ -29,7 +27,8 @@ std::size_t placeInOrder(const std::string& name) {
 }
 
 Error outside(std::string_view file) {
-    return {ErrorCode::OutOfRange, "expected the name of a file in the lesson's folder", std::string(file)};
+    return {ErrorCode::OutOfRange, N_("expected the name of a file in the lesson's folder"),
+            std::string(file)};
 }
 
 } // namespace

@@ -22,7 +22,7 @@ struct Members : JsonObject {
     void text(const char* key, std::string& target, bool isNeeded) {
         JsonObject::text(key, target, maxLessonBytes);
         if (isNeeded && target.empty())
-            refuse(key, "a text that isn't empty");
+            refuse(key, N_("a text that isn't empty"));
     }
 };
 
@@ -60,7 +60,7 @@ void readLook(const Json& json, const std::string& where, std::optional<Error>& 
     if (!probe->is_array() || probe->size() != 2 || !std::ranges::all_of(*probe, isThousandth))
         return members.say(ErrorCode::Malformed, "probe",
                            Sentence("expected {0}, found {1}",
-                                    "two whole numbers from 0 to 999, in thousandths from the top left",
+                                    N_("two whole numbers from 0 to 999, in thousandths from the top left"),
                                     ProperName{shortened(probe->dump())}));
     look.probeX = (*probe)[0].get<int>();
     look.probeY = (*probe)[1].get<int>();
@@ -98,7 +98,7 @@ void readTask(Members& members, Step& step) {
         if (json->is_string() && !json->get_ref<const std::string&>().empty())
             task.task = json->get<std::string>();
         else
-            members.refuse("try", "a text that isn't empty");
+            members.refuse("try", N_("a text that isn't empty"));
     }
     if (const Json* json = members.find("predict")) {
         ++tasks;
@@ -109,7 +109,7 @@ void readTask(Members& members, Step& step) {
         readMatch(*json, members.placeOf("match"), members.problem(), step.task.emplace<Match>());
     }
     if (tasks > 1)
-        members.say(ErrorCode::Malformed, "", "expected one of try, predict and match, found more");
+        members.say(ErrorCode::Malformed, "", N_("expected one of try, predict and match, found more"));
 }
 
 void readStep(const Json& json, const std::string& where, std::optional<Error>& problem, Step& step) {
@@ -143,7 +143,7 @@ void readAddition(Members& members, Addition& addition) {
     members.text("component", component, false);
     const std::size_t at = components.find(component);
     if (component.size() != 1 || at == std::string_view::npos)
-        members.refuse("component", "one of x, y, z, w");
+        members.refuse("component", N_("one of x, y, z, w"));
     else
         addition.component = static_cast<int>(at);
     const Json* add = members.find("add");
@@ -151,7 +151,7 @@ void readAddition(Members& members, Addition& addition) {
     constexpr double max = std::numeric_limits<float>::max();
     addition.amount = std::abs(amount) <= max ? static_cast<float>(amount) : 0;
     if (addition.amount == 0)
-        members.refuse("add", "a number other than 0 between -3.4e38 and 3.4e38");
+        members.refuse("add", N_("a number other than 0 between -3.4e38 and 3.4e38"));
 }
 
 void readKey(const Json& json, const std::string& where, std::optional<Error>& problem,
@@ -168,8 +168,8 @@ void readKey(const Json& json, const std::string& where, std::optional<Error>& p
     const bool isCycle = members.has("cycle");
     if (isCycle == members.has("path"))
         members.say(ErrorCode::Malformed, "",
-                    isCycle ? "expected either cycle, or path and add, found both"
-                            : "expected either cycle, or path and add, found neither");
+                    isCycle ? N_("expected either cycle, or path and add, found both")
+                            : N_("expected either cycle, or path and add, found neither"));
     if (members.has("path"))
         readAddition(members, key.effect.emplace<Addition>());
     else
@@ -199,7 +199,7 @@ Result<Lesson> parseLesson(std::string_view text) {
         });
         if (!lesson.steps.empty() && lesson.steps.front().scene.empty())
             members.say(ErrorCode::Malformed, "steps/0/scene",
-                        "expected the scene that the lesson begins with");
+                        N_("expected the scene that the lesson begins with"));
     }
     if (problem)
         return fail(*problem);
@@ -241,7 +241,8 @@ std::string_view signOfKey(std::string_view name) {
         std::string_view name;
         std::string_view sign;
     };
-    constexpr std::array signs{Sign{"Up", "↑"}, Sign{"Down", "↓"}, Sign{"Left", "←"}, Sign{"Right", "→"}};
+    constexpr std::array signs{Sign{N_("Up"), "↑"}, Sign{N_("Down"), "↓"}, Sign{N_("Left"), "←"},
+                               Sign{N_("Right"), "→"}};
     const auto* found = std::ranges::find(signs, name, &Sign::name);
     return found != signs.end() ? found->sign : name;
 }

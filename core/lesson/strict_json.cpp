@@ -4,8 +4,6 @@
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/text/json_end.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -57,9 +55,8 @@ public:
 
     bool parse_error(std::size_t position, const std::string& /*token*/,
                      const nlohmann::json::exception& error) override {
-        const std::string_view read = text_.substr(0, std::min(text_.size(), position));
-        problem_ = Error{ErrorCode::Malformed, mistakeIn(error.id, error.what(), wordAt(text_, position)),
-                         fmt::format("line {}", 1 + std::ranges::count(read, '\n'))};
+        problem_ = Error{ErrorCode::Malformed, jsonProblem(text_, error.id, position),
+                         lineAndColumn(text_, position)};
         return false;
     }
 

@@ -60,7 +60,7 @@ Mesh makePartialDisk(const ShapeOptions& options) {
         }
     }
 
-    addBandFaces(mesh, "Ring", slices, 0, rings);
+    addBandFaces(mesh, N_("Ring"), slices, 0, rings);
     // Around a centre GLU draws a GL_TRIANGLE_FAN, before everything else and counter-clockwise.
     const bool hole = options.innerRadius > 0;
     if (!hole)

@@ -111,7 +111,7 @@ Mesh turned(std::span<const Ring> rings, int slices) {
                  {s, t, 0, 1}});
         }
     }
-    addBandFaces(mesh, "Stack", slices, 0, static_cast<int>(rings.size()) - 1);
+    addBandFaces(mesh, N_("Stack"), slices, 0, static_cast<int>(rings.size()) - 1);
     return mesh;
 }
 

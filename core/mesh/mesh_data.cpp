@@ -88,16 +88,16 @@ struct Assembly {
 };
 
 constexpr std::array assemblies{
-    Assembly{Primitive::Points, assemblePoints, 1, 1, Outline::Whole, "Points", false},
-    Assembly{Primitive::Lines, assembleLines, 2, 2, Outline::Parts, "Line", false},
-    Assembly{Primitive::LineStrip, assembleLineStrip, 2, 1, Outline::Whole, "Line strip", false},
-    Assembly{Primitive::LineLoop, assembleLineLoop, 2, 1, Outline::Whole, "Line loop", true},
-    Assembly{Primitive::Triangles, assembleTriangles, 3, 3, Outline::Parts, "Triangle", true},
-    Assembly{Primitive::TriangleStrip, assembleTriangleStrip, 3, 1, Outline::Zigzag, "Strip", true},
-    Assembly{Primitive::TriangleFan, assembleTriangleFan, 3, 1, Outline::Whole, "Fan", true},
-    Assembly{Primitive::Quads, assembleQuads, 4, 4, Outline::Parts, "Quad", true},
-    Assembly{Primitive::QuadStrip, assembleQuadStrip, 4, 2, Outline::Zigzag, "Strip", true},
-    Assembly{Primitive::Polygon, assemblePolygon, 3, 1, Outline::Whole, "Polygon", true},
+    Assembly{Primitive::Points, assemblePoints, 1, 1, Outline::Whole, N_("Points"), false},
+    Assembly{Primitive::Lines, assembleLines, 2, 2, Outline::Parts, N_("Line"), false},
+    Assembly{Primitive::LineStrip, assembleLineStrip, 2, 1, Outline::Whole, N_("Line strip"), false},
+    Assembly{Primitive::LineLoop, assembleLineLoop, 2, 1, Outline::Whole, N_("Line loop"), true},
+    Assembly{Primitive::Triangles, assembleTriangles, 3, 3, Outline::Parts, N_("Triangle"), true},
+    Assembly{Primitive::TriangleStrip, assembleTriangleStrip, 3, 1, Outline::Zigzag, N_("Strip"), true},
+    Assembly{Primitive::TriangleFan, assembleTriangleFan, 3, 1, Outline::Whole, N_("Fan"), true},
+    Assembly{Primitive::Quads, assembleQuads, 4, 4, Outline::Parts, N_("Quad"), true},
+    Assembly{Primitive::QuadStrip, assembleQuadStrip, 4, 2, Outline::Zigzag, N_("Strip"), true},
+    Assembly{Primitive::Polygon, assemblePolygon, 3, 1, Outline::Whole, N_("Polygon"), true},
 };
 static_assert(assemblies.size() == primitiveRows.size());
 
@@ -127,7 +127,7 @@ Order completeParts(Order order, const Assembly& assembly) {
 
 void addPartFaces(Mesh& mesh, Order order, const Assembly& assembly) {
     if (order.size() / assembly.step > maxPartFaces) {
-        mesh.faces.push_back({"Vertices", upTo(mesh.vertices.size()), false});
+        mesh.faces.push_back({N_("Vertices"), upTo(mesh.vertices.size()), false});
         return;
     }
     for (std::size_t first = 0; first < order.size(); first += assembly.step) {

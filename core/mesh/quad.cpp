@@ -4,7 +4,7 @@ namespace texplorer {
 
 Mesh makeQuad() {
     Mesh mesh;
-    addPatch(mesh, "Front", {.lowerLeft = {-1, -1, 0}, .right = {2, 0, 0}, .up = {0, 2, 0}});
+    addPatch(mesh, N_("Front"), {.lowerLeft = {-1, -1, 0}, .right = {2, 0, 0}, .up = {0, 2, 0}});
     return mesh;
 }
 

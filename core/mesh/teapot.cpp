@@ -178,10 +178,10 @@ void addPart(Mesh& mesh, const char* name, std::span<const Row> rows, std::span<
 Mesh makeTeapot(int slices, int stacks) {
     Mesh mesh;
     mesh.vertices.reserve(static_cast<std::size_t>(slices + 1) * static_cast<std::size_t>(10 * stacks + 4));
-    addPart<TurnedRow>(mesh, "Body", bodyRows, bodyEnds, slices, stacks);
-    addPart<TurnedRow>(mesh, "Lid", lidRows, lidEnds, slices, stacks);
-    addPart<TubeRow>(mesh, "Handle", handleRows, tubeEnds, slices, stacks);
-    addPart<TubeRow>(mesh, "Spout", spoutRows, tubeEnds, slices, stacks);
+    addPart<TurnedRow>(mesh, N_("Body"), bodyRows, bodyEnds, slices, stacks);
+    addPart<TurnedRow>(mesh, N_("Lid"), lidRows, lidEnds, slices, stacks);
+    addPart<TubeRow>(mesh, N_("Handle"), handleRows, tubeEnds, slices, stacks);
+    addPart<TubeRow>(mesh, N_("Spout"), spoutRows, tubeEnds, slices, stacks);
     return mesh;
 }
 

@@ -2,8 +2,6 @@
 
 #include "texplorer/preset/preset_rows.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <utility>
 #include <vector>

@@ -9,7 +9,7 @@
 namespace texplorer::preset {
 namespace {
 
-constexpr std::string_view alphaGroup = "Alpha test and blending";
+constexpr std::string_view alphaGroup = N_("Alpha test and blending");
 constexpr std::array alphaPatterns{Pattern::Tree, Pattern::LogoOpenGl, Pattern::LogoMultitexture};
 
 /// A picture from a file stays, as does a pattern with alpha.
@@ -75,23 +75,27 @@ Result<void> additiveGlow(const PresetTarget& target) {
 }
 
 constexpr std::array alphaRows{
-    Preset{"alpha-blending", alphaGroup, "Alpha blending",
-           "GL_BLEND with GL_SRC_ALPHA and GL_ONE_MINUS_SRC_ALPHA, and an image with alpha.",
-           "The background shows through where alpha is 0. Far sides are missing there unless they are drawn "
-           "first, because transparent fragments also write their depth.",
-           alphaBlending},
-    Preset{"alpha-test", alphaGroup, "Alpha test > 0.5",
-           "GL_ALPHA_TEST with GL_GREATER and 0.5, and an image with alpha. Blending is off.",
-           "Fragments with an alpha up to 0.5 are discarded, with their depth, so the far sides show through "
-           "the holes.",
-           alphaTest},
-    Preset{"cut-out", alphaGroup, "Cut-out",
-           "One square with GL_REPLACE, GL_CLAMP_TO_EDGE and the alpha test, as used for plants and fences.",
-           "Only the shape in the image is left of the square. Move closer: its edge is hard.", cutOut},
-    Preset{"additive-glow", alphaGroup, "Additive glow",
-           "GL_BLEND with GL_SRC_ALPHA and GL_ONE, without a depth test.",
-           "Colours are added to the stored ones, so the model glows. The order of drawing does not matter.",
-           additiveGlow},
+    Preset{
+        "alpha-blending", alphaGroup, N_("Alpha blending"),
+        N_("GL_BLEND with GL_SRC_ALPHA and GL_ONE_MINUS_SRC_ALPHA, and an image with alpha."),
+        N_("The background shows through where alpha is 0. Far sides are missing there unless they are drawn "
+           "first, because transparent fragments also write their depth."),
+        alphaBlending},
+    Preset{
+        "alpha-test", alphaGroup, N_("Alpha test > 0.5"),
+        N_("GL_ALPHA_TEST with GL_GREATER and 0.5, and an image with alpha. Blending is off."),
+        N_("Fragments with an alpha up to 0.5 are discarded, with their depth, so the far sides show through "
+           "the holes."),
+        alphaTest},
+    Preset{
+        "cut-out", alphaGroup, N_("Cut-out"),
+        N_("One square with GL_REPLACE, GL_CLAMP_TO_EDGE and the alpha test, as used for plants and fences."),
+        N_("Only the shape in the image is left of the square. Move closer: its edge is hard."), cutOut},
+    Preset{
+        "additive-glow", alphaGroup, N_("Additive glow"),
+        N_("GL_BLEND with GL_SRC_ALPHA and GL_ONE, without a depth test."),
+        N_("Colours are added to the stored ones, so the model glows. The order of drawing does not matter."),
+        additiveGlow},
 };
 
 } // namespace

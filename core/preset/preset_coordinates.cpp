@@ -11,8 +11,8 @@
 namespace texplorer::preset {
 namespace {
 
-constexpr std::string_view motionGroup = "Texture matrix";
-constexpr std::string_view generatedGroup = "Generated coordinates";
+constexpr std::string_view motionGroup = N_("Texture matrix");
+constexpr std::string_view generatedGroup = N_("Generated coordinates");
 constexpr glm::vec3 centre{0.5F, 0.5F, 0};
 
 Result<void> moveBy(const PresetTarget& target, std::vector<MatrixStep> steps) {
@@ -110,39 +110,42 @@ Result<void> shadowMap(const PresetTarget& target) {
 }
 
 constexpr std::array coordinateRows{
-    Preset{"scroll", motionGroup, "Scroll",
-           "Replaces the steps of the texture matrix by a translation with a rate.",
-           "The image moves over the surface towards smaller s, like water or a conveyor belt.", scroll},
-    Preset{"spin", motionGroup, "Spin", "Replaces the steps of the texture matrix by a rotation with a rate.",
-           "The image turns about (0, 0), one of its corners: glRotatef has no other centre.", spin},
-    Preset{"rotate-centre", motionGroup, "Rotate about the centre",
-           "The same about (0.5, 0.5): glTranslatef there, glRotatef, glTranslatef back.",
-           "The centre of the image stays where it is.", rotateAboutCentre},
+    Preset{"scroll", motionGroup, N_("Scroll"),
+           N_("Replaces the steps of the texture matrix by a translation with a rate."),
+           N_("The image moves over the surface towards smaller s, like water or a conveyor belt."), scroll},
+    Preset{"spin", motionGroup, N_("Spin"),
+           N_("Replaces the steps of the texture matrix by a rotation with a rate."),
+           N_("The image turns about (0, 0), one of its corners: glRotatef has no other centre."), spin},
+    Preset{"rotate-centre", motionGroup, N_("Rotate about the centre"),
+           N_("The same about (0.5, 0.5): glTranslatef there, glRotatef, glTranslatef back."),
+           N_("The centre of the image stays where it is."), rotateAboutCentre},
     Preset{
-        "pulse", motionGroup, "Pulse", "Scales between two opposite rotations, all about the centre.",
-        "The image grows and shrinks along a rotating axis. A factor below 1 enlarges a smaller part of it.",
+        "pulse", motionGroup, N_("Pulse"), N_("Scales between two opposite rotations, all about the centre."),
+        N_("The image grows and shrinks along a rotating axis. A factor below 1 enlarges a smaller part of it."),
         pulse},
-    Preset{"sphere-map", generatedGroup, "Sphere map",
-           "glTexGen with GL_SPHERE_MAP for s and t, and the image of a mirror ball.",
-           "The surface reflects an image. Orbit: the reflection moves with the eye, not with the surface.",
-           sphereMap},
-    Preset{"contours", generatedGroup, "Contour lines",
-           "glTexGen with GL_OBJECT_LINEAR for s, and a one-dimensional texture.",
-           "Equal heights have one colour: s is three times the y of each vertex.", contours},
-    Preset{"reflection", generatedGroup, "Cube map reflection",
-           "glTexGen with GL_REFLECTION_MAP for s, t and r, and a cube map.",
-           "The surface reflects the face that the reflected line of sight hits. Each face shows the name "
-           "of its axis.",
+    Preset{
+        "sphere-map", generatedGroup, N_("Sphere map"),
+        N_("glTexGen with GL_SPHERE_MAP for s and t, and the image of a mirror ball."),
+        N_("The surface reflects an image. Orbit: the reflection moves with the eye, not with the surface."),
+        sphereMap},
+    Preset{"contours", generatedGroup, N_("Contour lines"),
+           N_("glTexGen with GL_OBJECT_LINEAR for s, and a one-dimensional texture."),
+           N_("Equal heights have one colour: s is three times the y of each vertex."), contours},
+    Preset{"reflection", generatedGroup, N_("Cube map reflection"),
+           N_("glTexGen with GL_REFLECTION_MAP for s, t and r, and a cube map."),
+           N_("The surface reflects the face that the reflected line of sight hits. Each face shows the name "
+              "of its axis."),
            reflection},
-    Preset{"projector", generatedGroup, "Slide projector",
-           "glTexGen with GL_EYE_LINEAR for s, t, r and q, and a texture matrix for the light's view.",
-           "The light projects one image over all models. Surfaces that face away from it stay dark. Outside "
-           "the image, the white border leaves colours unchanged.",
-           projector},
-    Preset{"shadow-map", generatedGroup, "Shadow map",
-           "A depth texture of the light's view in a unit of its own, and a floor that receives shadows.",
-           "Surfaces that the light does not see are dark: r is compared with the depth stored by the "
-           "light.",
+    Preset{
+        "projector", generatedGroup, N_("Slide projector"),
+        N_("glTexGen with GL_EYE_LINEAR for s, t, r and q, and a texture matrix for the light's view."),
+        N_("The light projects one image over all models. Surfaces that face away from it stay dark. Outside "
+           "the image, the white border leaves colours unchanged."),
+        projector},
+    Preset{"shadow-map", generatedGroup, N_("Shadow map"),
+           N_("A depth texture of the light's view in a unit of its own, and a floor that receives shadows."),
+           N_("Surfaces that the light does not see are dark: r is compared with the depth stored by the "
+              "light."),
            shadowMap},
 };
 

@@ -8,7 +8,7 @@
 namespace texplorer::preset {
 namespace {
 
-constexpr std::string_view filterGroup = "Filters, levels and seams";
+constexpr std::string_view filterGroup = N_("Filters, levels and seams");
 
 void showFloor(const PresetTarget& target) {
     constexpr std::array floor{Shape::Floor};
@@ -85,32 +85,34 @@ Result<void> anisotropy(const PresetTarget& target) {
 }
 
 constexpr std::array filterRows{
-    Preset{"shimmer", filterGroup, "Shimmer",
-           "A moving checkerboard that recedes into the distance, with GL_NEAREST minification.",
-           "Far squares turn into flickering noise: each pixel reads one texel of many.", shimmer},
-    Preset{"shimmer-cure", filterGroup, "Shimmer, cured",
-           "Mipmaps, and GL_LINEAR_MIPMAP_LINEAR, for the texture of this unit.",
-           "Far away the texture fades to its mean: each pixel reads a level with texels of its own size.",
-           shimmerCure},
-    Preset{"blocks", filterGroup, "Blocky magnification",
-           "An image of 16 × 16 texels, with GL_NEAREST magnification.",
-           "Each texel is a block of pixels: a magnified texture has no finer detail.", blocks},
-    Preset{"blocks-cure", filterGroup, "Blocky magnification, cured",
-           "GL_LINEAR magnification for the texture of this unit.",
-           "The blocks blend into each other: smooth, but no sharper than the texels.", blocksCure},
-    Preset{"seam", filterGroup, "Seam of GL_CLAMP",
-           "GL_CLAMP with GL_LINEAR, an image of 16 × 16 texels and a magenta border colour.",
-           "A magenta seam where the image ends: GL_CLAMP mixes half of the border colour into the edge.",
+    Preset{"shimmer", filterGroup, N_("Shimmer"),
+           N_("A moving checkerboard that recedes into the distance, with GL_NEAREST minification."),
+           N_("Far squares turn into flickering noise: each pixel reads one texel of many."), shimmer},
+    Preset{
+        "shimmer-cure", filterGroup, N_("Shimmer, cured"),
+        N_("Mipmaps, and GL_LINEAR_MIPMAP_LINEAR, for the texture of this unit."),
+        N_("Far away the texture fades to its mean: each pixel reads a level with texels of its own size."),
+        shimmerCure},
+    Preset{"blocks", filterGroup, N_("Blocky magnification"),
+           N_("An image of 16 × 16 texels, with GL_NEAREST magnification."),
+           N_("Each texel is a block of pixels: a magnified texture has no finer detail."), blocks},
+    Preset{"blocks-cure", filterGroup, N_("Blocky magnification, cured"),
+           N_("GL_LINEAR magnification for the texture of this unit."),
+           N_("The blocks blend into each other: smooth, but no sharper than the texels."), blocksCure},
+    Preset{"seam", filterGroup, N_("Seam of GL_CLAMP"),
+           N_("GL_CLAMP with GL_LINEAR, an image of 16 × 16 texels and a magenta border colour."),
+           N_("A magenta seam where the image ends: GL_CLAMP mixes half of the border colour into the edge."),
            seam},
-    Preset{"seam-cure", filterGroup, "Seam of GL_CLAMP, cured",
-           "GL_CLAMP_TO_EDGE for the texture of this unit.",
-           "The seam is gone: the outermost texels continue, and the border colour is never read.", seamCure},
-    Preset{"coloured-levels", filterGroup, "Coloured mip levels",
-           "A floor that recedes into the distance. Each level above the base has its own colour.",
-           "Each band of colour is a level. Change the LOD bias, and the bands move.", colouredLevels},
-    Preset{"anisotropy", filterGroup, "Anisotropy on a far floor",
-           "A trilinear floor that recedes into the distance, with GL_TEXTURE_MAX_ANISOTROPY_EXT 16.",
-           "The board stays sharp far into the distance: more samples along the footprint of each pixel.",
+    Preset{"seam-cure", filterGroup, N_("Seam of GL_CLAMP, cured"),
+           N_("GL_CLAMP_TO_EDGE for the texture of this unit."),
+           N_("The seam is gone: the outermost texels continue, and the border colour is never read."),
+           seamCure},
+    Preset{"coloured-levels", filterGroup, N_("Coloured mip levels"),
+           N_("A floor that recedes into the distance. Each level above the base has its own colour."),
+           N_("Each band of colour is a level. Change the LOD bias, and the bands move."), colouredLevels},
+    Preset{"anisotropy", filterGroup, N_("Anisotropy on a far floor"),
+           N_("A trilinear floor that recedes into the distance, with GL_TEXTURE_MAX_ANISOTROPY_EXT 16."),
+           N_("The board stays sharp far into the distance: more samples along the footprint of each pixel."),
            anisotropy},
 };
 

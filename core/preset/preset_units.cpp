@@ -10,7 +10,7 @@
 namespace texplorer::preset {
 namespace {
 
-constexpr std::string_view unitGroup = "Environments and several units";
+constexpr std::string_view unitGroup = N_("Environments and several units");
 
 Result<void> decal(const PresetTarget& target) {
     showPatternUnlessOwn(target.texture, Pattern::Tree);
@@ -89,20 +89,21 @@ Result<void> emboss(const PresetTarget& target) {
 }
 
 constexpr std::array unitRows{
-    Preset{"decal", unitGroup, "Decal with alpha",
-           "GL_DECAL with an image with alpha, over an orange glColor.",
-           "Where the image's alpha is 0 the lit colour shows; where it is 1, the unlit image.", decal},
-    Preset{"detail", unitGroup, "Detail texture",
-           "A second unit: GL_COMBINE with GL_MODULATE and GL_RGB_SCALE 2, repeated four times as often.",
-           "Fine grain over the image: the surface keeps its detail from close by. A grey of 0.5 changes "
-           "nothing.",
+    Preset{"decal", unitGroup, N_("Decal with alpha"),
+           N_("GL_DECAL with an image with alpha, over an orange glColor."),
+           N_("Where the image's alpha is 0 the lit colour shows; where it is 1, the unlit image."), decal},
+    Preset{"detail", unitGroup, N_("Detail texture"),
+           N_("A second unit: GL_COMBINE with GL_MODULATE and GL_RGB_SCALE 2, repeated four times as often."),
+           N_("Fine grain over the image: the surface keeps its detail from close by. A grey of 0.5 changes "
+              "nothing."),
            detail},
-    Preset{"emboss", unitGroup, "Embossed bumps",
-           "Two units show heights on a cube, the second one inverted and moved towards the light, with "
-           "GL_ADD_SIGNED.",
-           "Bricks stand out of a grey surface. Slopes towards the light are bright and follow it when you "
-           "orbit.",
-           emboss},
+    Preset{
+        "emboss", unitGroup, N_("Embossed bumps"),
+        N_("Two units show heights on a cube, the second one inverted and moved towards the light, with "
+           "GL_ADD_SIGNED."),
+        N_("Bricks stand out of a grey surface. Slopes towards the light are bright and follow it when you "
+           "orbit."),
+        emboss},
 };
 
 } // namespace

@@ -4,8 +4,6 @@
 #include "texplorer/reference/fragment_walk.h"
 #include "texplorer/reference/raster/scene_triangles.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 

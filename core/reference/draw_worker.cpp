@@ -15,7 +15,8 @@ constexpr double noticed = 30; // milliseconds
 constexpr int coarsest = 8;
 constexpr double firstGuess = 2e-4; // milliseconds a pixel, before anything was drawn
 
-constexpr FailureWords drawingFailure{"not enough memory for the picture", "the picture can't be drawn"};
+constexpr FailureWords drawingFailure{N_("not enough memory for the picture"),
+                                      N_("the picture can't be drawn")};
 
 } // namespace
 

@@ -5,8 +5,6 @@
 #include "texplorer/reference/raster/scene_triangles.h"
 #include "texplorer/reference/sampling/cube.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -108,7 +106,7 @@ Sentence levelsText(const LevelMap& map, const PixelLevels& pixel) {
 
 Sentence footprintText(const PixelLevels& pixel) {
     if (!std::isfinite(pixel.ratio))
-        return "footprint without a width";
+        return N_("footprint without a width");
     if (pixel.samples > 1)
         return Sentence("footprint {0:.1f} : 1, {1} samples along it", pixel.ratio, pixel.samples);
     return Sentence("footprint {0:.1f} : 1", pixel.ratio);

@@ -8,8 +8,8 @@ namespace texplorer::reference {
 
 namespace {
 
-constexpr FailureWords mappingFailure{"not enough memory for the levels of the pixels",
-                                      "the levels of the pixels can't be computed"};
+constexpr FailureWords mappingFailure{N_("not enough memory for the levels of the pixels"),
+                                      N_("the levels of the pixels can't be computed")};
 
 std::shared_ptr<const LevelMapWorker::Answer>
 mapLevels(ReferenceRenderer& renderer, const LevelMapRequest& asked, const DrawOptions& options) {

@@ -429,7 +429,7 @@ std::vector<IdleUnit> idleUnits(const Scene& scene, const PassState& pass, const
         if (!unit.enabled || pass.units[u].texture)
             continue;
         const std::string name = fmt::format("textures[{}]", unit.texture);
-        Sentence reason("there is no {0}", ProperName{name});
+        Sentence reason(N_("there is no {0}"), ProperName{name});
         if (unit.texture >= 0 && static_cast<std::size_t>(unit.texture) < scene.textures.size()) {
             std::vector<Sentence> said;
             const StoredTexture* stored = textures.prepare(scene, static_cast<std::size_t>(unit.texture),

@@ -9,7 +9,8 @@ namespace texplorer::reference {
 
 namespace {
 
-constexpr FailureWords probingFailure{"not enough memory for the answer", "the pixel can't be explained"};
+constexpr FailureWords probingFailure{N_("not enough memory for the answer"),
+                                      N_("the pixel can't be explained")};
 
 std::shared_ptr<const ProbeWorker::Answer> answerProbe(ReferenceRenderer& renderer, const ProbeRequest& asked,
                                                        const DrawOptions& options) {

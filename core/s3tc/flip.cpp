@@ -2,8 +2,6 @@
 
 #include "texplorer/s3tc/block_flip.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 namespace texplorer {

@@ -35,7 +35,7 @@ namespace texplorer {
     return (extent >= 1 && extent <= 3) || extent % 4 == 0;
 }
 
-inline constexpr std::string_view losslessExtents = "1, 2, 3 or a multiple of 4";
+inline constexpr std::string_view losslessExtents = N_("1, 2, 3 or a multiple of 4");
 
 enum class FlipAxis : std::uint8_t { Vertical, Horizontal, Both };
 

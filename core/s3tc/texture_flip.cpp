@@ -2,8 +2,6 @@
 
 #include "texplorer/image/mirror.h"
 
-#include <fmt/core.h>
-
 #include <new>
 #include <optional>
 #include <string>

@@ -4,8 +4,6 @@
 #include "texplorer/s3tc/encode.h"
 #include "texplorer/s3tc/surface_pixels.h"
 
-#include <fmt/core.h>
-
 #include <iterator>
 #include <new>
 #include <string>

@@ -2,8 +2,6 @@
 
 #include "texplorer/scene/model_mesh.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 namespace texplorer {

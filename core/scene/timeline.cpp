@@ -1,7 +1,5 @@
 #include "texplorer/scene/timeline.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <map>
 

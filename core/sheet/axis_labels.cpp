@@ -1,6 +1,6 @@
 #include "texplorer/sheet/axis_labels.h"
 
-#include "texplorer/text/word.h"
+#include "texplorer/base/translatable.h"
 
 #include <fmt/core.h>
 
@@ -14,7 +14,7 @@ Sentence labelOf(const ParamRow& row, const std::string& value, LabelKind kind) 
     if (const EnumRow* choice = findRow(row.choices, value))
         return choice->label;
     if (row.kind == Kind::Bool)
-        return value == "true" ? word("on") : word("off");
+        return value == "true" ? N_("on") : N_("off");
     return row.range.unit.empty() ? Sentence(ProperName{value})
                                   : Sentence("{0} {1}", ProperName{value}, row.range.unit);
 }

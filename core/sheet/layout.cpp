@@ -2,8 +2,6 @@
 
 #include "texplorer/sheet/label_text.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cstdint>
 

@@ -227,8 +227,8 @@ JudgedCase judgeAgainstReference(CaseRecord record, const Settings& settings, co
     if (mask && !isSameSize(*mask, frame->image))
         return problemOf(std::move(record),
                          {ErrorCode::OutOfRange,
-                          fmt::format("expected a mask of {} × {} pixels, found {} × {}", of.size.width,
-                                      of.size.height, mask->width, mask->height),
+                          Sentence("expected a mask of {0} × {1} pixels, found {2} × {3}", of.size.width,
+                                   of.size.height, mask->width, mask->height),
                           settings.mask});
     if (!mask || !isSameSize(frame->image, actual))
         return judgeByRule(std::move(record), *rule, scene.scene, std::move(frame->image), actual, *reference,

@@ -4,8 +4,6 @@
 #include "texplorer/suite/png_size.h"
 #include "texplorer/suite/suite_folder.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <map>
 

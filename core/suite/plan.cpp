@@ -81,9 +81,9 @@ Result<Row> readRow(const std::vector<Suite>& suites, std::size_t s, std::size_t
         if (!axis)
             return fail(inEntry(suite, e, key, axis.error()));
         if (std::ranges::find(row.axes, axis->path, &SweepAxis::path) != row.axes.end())
-            return fail(inEntry(
-                suite, e, key,
-                {ErrorCode::Malformed, "expected each parameter in one axis, found it again", axis->path}));
+            return fail(inEntry(suite, e, key,
+                                {ErrorCode::Malformed,
+                                 N_("expected each parameter in one axis, found it again"), axis->path}));
         row.axes.push_back(*std::move(axis));
     }
     return row;

@@ -4,8 +4,6 @@
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/suite/json_reader.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -32,7 +30,7 @@ void readSeconds(const Json& json, Problem& problem, Durations& durations) {
         if (!(found >= 0 && found <= maxRecordedSeconds) && !problem)
             problem = Error{
                 ErrorCode::OutOfRange,
-                fmt::format("expected seconds from 0 to {}, found {}", maxRecordedSeconds, foundText(value)),
+                Sentence("expected seconds from 0 to {0}, found {1}", maxRecordedSeconds, foundText(value)),
                 "/seconds/" + shortened(name)};
         durations.emplace(name, found);
     }

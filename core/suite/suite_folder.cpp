@@ -7,8 +7,6 @@
 #include "texplorer/suite/png_size.h"
 #include "texplorer/text/printable.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 namespace texplorer::suite {

@@ -38,7 +38,7 @@ void refuseAt(Problem& problem, const std::string& where, ErrorCode code, Senten
 
 void refuseValue(Problem& problem, const std::string& where, std::string_view expected, const Json& found) {
     refuseAt(problem, where, ErrorCode::Malformed,
-             fmt::format("expected {}, found {}", expected, foundText(found)));
+             Sentence("expected {0}, found {1}", expected, foundText(found)));
 }
 
 /// One of an enumeration, by its name.
@@ -65,7 +65,7 @@ bool readFileName(const Json& json, const std::string& where, Problem& problem, 
     target = json.get<std::string>();
     if (target.size() > maxSuiteTextBytes) {
         refuseAt(problem, where, ErrorCode::TooLarge,
-                 fmt::format("expected at most {} bytes, found {}", maxSuiteTextBytes, target.size()));
+                 Sentence("expected at most {0} bytes, found {1}", maxSuiteTextBytes, target.size()));
         return false;
     }
     const Result<void> inside = checkInside(target);
@@ -107,7 +107,7 @@ void readSeveral(JsonObject& object, const char* key, std::size_t max, std::vect
         read(json, where, object.problem(), value);
         if (std::ranges::find(values, value) != values.end())
             refuseAt(object.problem(), where, ErrorCode::Malformed,
-                     fmt::format("expected each once, found {} again", foundText(json)));
+                     Sentence("expected each once, found {0} again", foundText(json)));
         values.push_back(std::move(value));
     });
     if (isThere)
@@ -134,7 +134,7 @@ void readPatterns(const Json& json, const std::string& where, Problem& problem,
         readPattern(json, where, problem, patterns.emplace_back());
     } else if (json.empty() || json.size() > maxGoldens) {
         refuseAt(problem, where, ErrorCode::Malformed,
-                 fmt::format("expected a list of 1 to {}, found {}", maxGoldens, json.size()));
+                 Sentence("expected a list of 1 to {0}, found {1}", maxGoldens, json.size()));
     } else {
         for (std::size_t i = 0; i < json.size() && !problem; ++i)
             readPattern(json[i], fmt::format("{}/{}", where, i), problem, patterns.emplace_back());
@@ -150,7 +150,7 @@ void readGolden(const Json& json, const std::string& where, Problem& problem, Go
     if (json.is_object()) {
         if (json.empty() || json.size() > maxGoldens)
             return refuseAt(problem, where, ErrorCode::Malformed,
-                            fmt::format("expected 1 to {} drivers, found {}", maxGoldens, json.size()));
+                            Sentence("expected 1 to {0} drivers, found {1}", maxGoldens, json.size()));
         for (const auto& [driver, patterns] : json.items()) {
             files.drivers.push_back({driver, {}});
             readPatterns(patterns, fmt::format("{}/{}", where, shortened(driver)), problem,

@@ -3,8 +3,6 @@
 #include "texplorer/suite/rule_choice.h"
 #include "texplorer/suite/suite.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 namespace texplorer::suite {

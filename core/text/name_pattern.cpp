@@ -3,8 +3,6 @@
 #include "texplorer/text/printable.h"
 #include "texplorer/text/utf8.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 namespace texplorer {

@@ -8,7 +8,6 @@
 #include "texplorer/s3tc/encode.h"
 
 #define XXH_INLINE_ALL // the header is all of it: no library to link
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -24,7 +24,7 @@ DecodeLimits thumbnailLimits(const std::stop_token& stop) {
             .stop = &stop};
 }
 
-constexpr FailureWords loadingFailure{"not enough memory for what it holds", "can't be loaded"};
+constexpr FailureWords loadingFailure{N_("not enough memory for what it holds"), N_("can't be loaded")};
 
 /// `decoding` is called when the file is read.
 Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size_t left,

@@ -116,7 +116,8 @@ std::vector<Error> ImageSource::loadAll(const Scene& scene, std::size_t budget, 
         if (!name.used || files_.contains(name.file))
             continue;
         if (name.file.empty()) {
-            errors.push_back({ErrorCode::NotFound, "an image file is needed, but none is named", name.path});
+            errors.push_back(
+                {ErrorCode::NotFound, N_("an image file is needed, but none is named"), name.path});
             continue;
         }
         const std::filesystem::path path = directory_ / name.file;

@@ -11,8 +11,6 @@
 #include "texplorer/texture/late_flip.h"
 #include "texplorer/texture/target_image.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -19,8 +19,8 @@ constexpr std::size_t quickTexels = std::size_t{256} * 256;
 
 constexpr std::size_t maxEntries = 32;
 
-constexpr FailureWords levelsFailure{"not enough memory for the statistics of its levels",
-                                     "its levels can't be made"};
+constexpr FailureWords levelsFailure{N_("not enough memory for the statistics of its levels"),
+                                     N_("its levels can't be made")};
 
 Sentence nameOf(const Texture& settings) {
     switch (settings.source) {

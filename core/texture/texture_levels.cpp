@@ -20,7 +20,7 @@ Result<TextureLevels> run(const Texture& texture, const TexturePictures& picture
     try {
         Result<TextureLevels> made = LevelMaker(texture, pictures, target, work, lends).run();
         if (made && settingsFor(texture, image).mipmaps != texture.mipmaps)
-            made->notes.emplace_back("a shadow map has no mip levels: there is only a base level");
+            made->notes.emplace_back(N_("a shadow map has no mip levels: there is only a base level"));
         return made;
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge,

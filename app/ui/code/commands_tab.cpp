@@ -20,12 +20,12 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr const char* commandsHint = "Drag numbers, click names and switches";
-constexpr const char* makingHint = "Making the program…";
+constexpr const char* commandsHint = N_("Drag numbers, click names and switches");
+constexpr const char* makingHint = N_("Making the program…");
 
 void toolRow(const Session& session, CommandsTabState& state) {
-    const char* copy = "Copy";
-    const char* save = "Export…";
+    const char* copy = N_("Copy");
+    const char* save = N_("Export…");
     const char* hint = workers(session).programs->isMaking() ? makingHint : commandsHint;
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = buttonWidth(copy) + inner + buttonWidth(save);

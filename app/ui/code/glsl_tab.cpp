@@ -26,8 +26,10 @@ struct StageRow {
     const char* help;
 };
 constexpr std::array stageRows{
-    StageRow{ShaderStage::Vertex, "Vertex", "Runs once for each vertex: coordinates, texgen, lighting"},
-    StageRow{ShaderStage::Fragment, "Fragment", "Runs for each pixel: the lookups and the environment"},
+    StageRow{ShaderStage::Vertex, N_("Vertex"),
+             N_("Runs once for each vertex: coordinates, texgen, lighting")},
+    StageRow{ShaderStage::Fragment, N_("Fragment"),
+             N_("Runs for each pixel: the lookups and the environment")},
 };
 
 ImU32 tintOf(GlslToken::Kind kind) {
@@ -54,8 +56,8 @@ void toolRow(const Session& session, GlslTabState& state, const PassShader& shad
         item(std::string("stage:") + row.label, row.help);
         ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x / 2);
     }
-    const float width = buttonWidth("Copy");
-    const Sentence pass("pass {0}", session.look.selection.pass);
+    const float width = buttonWidth(N_("Copy"));
+    const Sentence pass(N_("pass {0}"), session.look.selection.pass);
     if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(tr(pass).c_str()).x + 2 * width) {
         dimText(pass);
         ImGui::SameLine();

@@ -113,8 +113,8 @@ void dockButtons(const Session& session, Dock dock) {
     const bool fills = maximisedOf(shown) == maximised(dock);
     ImGui::SameLine(0, 0);
     if (squareButton(fills ? "❐" : "□", fmt::format("maximise:{}", rowOf(dock).name),
-                     fills ? "Restores the size (double click on a tab, Escape)"
-                           : "Maximises the panel (double click on a tab)",
+                     fills ? N_("Restores the size (double click on a tab, Escape)")
+                           : N_("Maximises the panel (double click on a tab)"),
                      true))
         rearrange(session, [dock](Workspace& workspace) { toggleMaximised(workspace, maximised(dock)); });
     const std::optional<Tab> front = frontOf(shown, dock);
@@ -196,7 +196,7 @@ void drawDraggedTab(const Session& session, DetailsState& state, const Layout& l
                        {at.x + size.x + em * 0.3F, at.y + size.y + em * 0.2F},
                        ImGui::GetColorU32(ImGuiCol_PopupBg), em * 0.2F);
     draw.AddText(at, color::text, name);
-    noteDrawn("tab falls", low, high);
+    noteDrawn(N_("tab falls"), low, high);
 }
 
 } // namespace texplorer::ui

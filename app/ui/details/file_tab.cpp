@@ -225,7 +225,7 @@ void heading(const Session& session) {
     const std::string name = printable(view.shown.filename().string());
     if (view.content) {
         const std::string_view format = view.content->anatomy.format;
-        text(Sentence("{0} · {1} · {2}", ProperName{name}, format.empty() ? "unknown format" : format,
+        text(Sentence("{0} · {1} · {2}", ProperName{name}, format.empty() ? N_("unknown format") : format,
                       Sentence::plural("{0} byte", "{0} bytes", view.content->fileBytes)));
     } else
         text(ProperName{name});
@@ -250,7 +250,7 @@ void drawFileTab(const Session& session, FileTabState& state) {
     if (view.shown.empty()) {
         wrappedText(texture ? "This texture is a built-in pattern without a file. Open an "
                               "image with Ctrl+I to see the contents of its file."
-                            : "No texture is bound to this unit.");
+                            : N_("No texture is bound to this unit."));
         noteItem("file:none");
         return;
     }

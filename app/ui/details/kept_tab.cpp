@@ -32,29 +32,29 @@ void beforeKeeping(const Session& session) {
 }
 
 void keptButtons(const Session& session, std::size_t count) {
-    if (button("Keep as A", "a-b tab:keep",
+    if (button("Keep as A", N_("a-b tab:keep"),
                "Keeps the present scene as A.\n"
                "Key K"))
         act(session, keepAsA);
     ImGui::SameLine();
-    if (button(isKeptShown(session) ? "Show now" : "Show A", "a-b tab:flip",
+    if (button(isKeptShown(session) ? N_("Show now") : N_("Show A"), N_("a-b tab:flip"),
                "Shows A or the present scene "
                "in the view.\n"
                "Key T"))
         act(session, flipKept);
     ImGui::SameLine();
-    if (button(isKeptBeside(session) ? "One picture" : "Split", "a-b tab:split",
+    if (button(isKeptBeside(session) ? N_("One picture") : N_("Split"), N_("a-b tab:split"),
                "Shows both in one picture, or one again.\n"
                "Key Shift+T"))
         act(session, splitKept);
     ImGui::SameLine();
-    if (button("Take over all", "a-b tab:take all", "Restores A. Undo reverts it.", count > 0))
+    if (button("Take over all", N_("a-b tab:take all"), "Restores A. Undo reverts it.", count > 0))
         takeAllFromKept(session);
 }
 
 void drawChanges(const Session& session, const std::vector<SceneChange>& changes) {
-    const char* take = "Take over";
-    if (!beginChangeTable({.from = "A", .to = "Now", .action = buttonWidth(take)}))
+    const char* take = N_("Take over");
+    if (!beginChangeTable({.from = "A", .to = N_("Now"), .action = buttonWidth(take)}))
         return;
     for (const SceneChange& change : changes) {
         ImGui::PushID(change.path.c_str());

@@ -17,17 +17,17 @@ std::string meshPath(const Session& session, const std::string& key) {
 const VertexPartRow& rowOf(VertexPart part) {
     static const std::array rows{
         VertexPartRow{VertexPart::Coordinates,
-                      "Coordinates",
+                      N_("Coordinates"),
                       {"s", "t", "r", "q"},
                       4,
                       coordRange,
                       coordsPath,
                       nullptr,
                       nullptr,
-                      "Move vertex {0}",
-                      "The place of each vertex in the image"},
+                      N_("Move vertex {0}"),
+                      N_("The place of each vertex in the image")},
         VertexPartRow{VertexPart::Position,
-                      "Position",
+                      N_("Position"),
                       {"x", "y", "z", ""},
                       3,
                       {-1000, 1000, 0.01F, {}},
@@ -38,10 +38,10 @@ const VertexPartRow& rowOf(VertexPart part) {
                       [](const Scene&, Model& model, std::size_t vertex, glm::vec4 value, bool together) {
                           setPosition(model.mesh, vertex, glm::vec3(value), together);
                       },
-                      "Position of vertex {0}",
-                      "glVertex3f: the position of each vertex in the model"},
+                      N_("Position of vertex {0}"),
+                      N_("glVertex3f: the position of each vertex in the model")},
         VertexPartRow{VertexPart::Normal,
-                      "Normal",
+                      N_("Normal"),
                       {"x", "y", "z", ""},
                       3,
                       {-1, 1, 0.005F, {}},
@@ -52,10 +52,10 @@ const VertexPartRow& rowOf(VertexPart part) {
                       [](const Scene&, Model& model, std::size_t vertex, glm::vec4 value, bool) {
                           setNormal(model.mesh, vertex, glm::vec3(value));
                       },
-                      "Normal of vertex {0}",
-                      "glNormal3f: the direction of the surface at each vertex, normalized to length 1"},
+                      N_("Normal of vertex {0}"),
+                      N_("glNormal3f: the direction of the surface at each vertex, normalized to length 1")},
         VertexPartRow{VertexPart::Color,
-                      "Colour",
+                      N_("Colour"),
                       {"r", "g", "b", "a"},
                       4,
                       {0, 1, 0.005F, {}},
@@ -68,8 +68,8 @@ const VertexPartRow& rowOf(VertexPart part) {
                       [](const Scene& scene, Model& model, std::size_t vertex, glm::vec4 value, bool) {
                           setColor(model.mesh, vertex, value, materialOf(scene, model).color);
                       },
-                      "Colour of vertex {0}",
-                      "glColor4f: the colour of each vertex, instead of the material's"},
+                      N_("Colour of vertex {0}"),
+                      N_("glColor4f: the colour of each vertex, instead of the material's")},
     };
     return rows.at(static_cast<std::size_t>(part));
 }

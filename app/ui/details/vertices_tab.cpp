@@ -68,14 +68,14 @@ void coordButtons(const Session& session, ButtonLine& line) {
         edit(coords);
         submitTexCoords(session, what, std::move(coords));
     };
-    button("× 2", "Multiplies all coordinates by 2: the image appears twice as often at half the size",
+    button("× 2", N_("Multiplies all coordinates by 2: the image appears twice as often at half the size"),
            "Coordinates × 2", [](TexCoords& c) { scaleCoords(c, 2); });
-    button("÷ 2", "Divides all coordinates by 2", "Coordinates ÷ 2",
+    button("÷ 2", N_("Divides all coordinates by 2"), "Coordinates ÷ 2",
            [](TexCoords& c) { scaleCoords(c, 0.5F); });
-    button("Flip s", "s becomes 1 − s", "Flip s", flipS);
-    button("Flip t", "t becomes 1 − t", "Flip t", flipT);
-    button("90°", "Rotates all coordinates by 90° about (0.5, 0.5)", "Rotate coordinates", rotateQuarter);
-    button("Reset", "Resets to the coordinates of the mesh", "Reset coordinates",
+    button("Flip s", N_("s becomes 1 − s"), "Flip s", flipS);
+    button("Flip t", N_("t becomes 1 − t"), "Flip t", flipT);
+    button("90°", N_("Rotates all coordinates by 90° about (0.5, 0.5)"), "Rotate coordinates", rotateQuarter);
+    button("Reset", N_("Resets to the coordinates of the mesh"), "Reset coordinates",
            [](TexCoords& c) { c.clear(); });
 }
 
@@ -109,17 +109,17 @@ void vertexButtons(const Session& session, ButtonLine& line) {
         submit(session, std::move(step));
     };
     const bool room = count < maxMeshVertices && model.mesh.indices.size() < maxMeshIndices;
-    if (line.button("Append", "add vertex", "Adds a copy of the selected vertex, or the last one, at the end",
-                    room))
-        change("Add vertex", count,
+    if (line.button("Append", N_("add vertex"),
+                    "Adds a copy of the selected vertex, or the last one, at the end", room))
+        change(N_("Add vertex"), count,
                [&](Model& edited) { appendVertex(edited, isChosen ? *chosen : count - 1); });
-    if (line.button("Duplicate", "duplicate vertex",
+    if (line.button("Duplicate", N_("duplicate vertex"),
                     "Adds a copy of the selected vertex right after it, a new point of a strip or polygon",
                     room && isChosen))
-        change("Duplicate vertex", *chosen + 1, [&](Model& edited) { duplicateVertex(edited, *chosen); });
-    if (line.button("Remove", "remove vertex",
+        change(N_("Duplicate vertex"), *chosen + 1, [&](Model& edited) { duplicateVertex(edited, *chosen); });
+    if (line.button("Remove", N_("remove vertex"),
                     "Removes the selected vertex. With indices, also removes its triangles", isChosen))
-        change("Remove vertex", count == 1 ? std::nullopt : std::optional(std::min(*chosen, count - 2)),
+        change(N_("Remove vertex"), count == 1 ? std::nullopt : std::optional(std::min(*chosen, count - 2)),
                [&](Model& edited) { removeVertex(edited, *chosen); });
 }
 
@@ -138,7 +138,7 @@ void partButtons(const Session& session, VerticesTabState& state) {
     ButtonLine line;
     if (selectedModel(session)->shape != Shape::Mesh) {
         coordButtons(session, line);
-        if (line.button("Make it a mesh", "make mesh",
+        if (line.button("Make it a mesh", N_("make mesh"),
                         "Converts the model to a mesh with the same vertices, which can be edited"))
             makeMesh(session, state);
         return;
@@ -154,14 +154,14 @@ void partButtons(const Session& session, VerticesTabState& state) {
         return coordButtons(session, line);
     vertexButtons(session, line);
     if (state.part == VertexPart::Position)
-        line.checkbox("Together", "move together", "Moves vertices at the same place together",
+        line.checkbox(N_("Together"), N_("move together"), N_("Moves vertices at the same place together"),
                       state.together);
     else if (state.part == VertexPart::Normal)
         clearButton<&MeshData::normals>(session, line, rowOf(state.part),
-                                        "Removes all normals: the surface faces +z");
+                                        N_("Removes all normals: the surface faces +z"));
     else
         clearButton<&MeshData::colors>(session, line, rowOf(state.part),
-                                       "Removes all colours: the material's colour is used");
+                                       N_("Removes all colours: the material's colour is used"));
 }
 
 /// The edited list while it is drawn.
@@ -365,7 +365,7 @@ void drawVerticesTab(const Session& session, VerticesTabState& state) {
     }
     if (const std::vector<std::uint32_t> rest = own ? leftOver(mesh) : std::vector<std::uint32_t>{};
         !rest.empty())
-        vertexGroup(session, list, "Not drawn", rest, true, reveal);
+        vertexGroup(session, list, N_("Not drawn"), rest, true, reveal);
     if (idle)
         ImGui::PopStyleVar();
     ImGui::EndChild();

@@ -1,7 +1,7 @@
 #include "app/ui/explain/explain_cards.h"
 
+#include "texplorer/base/translatable.h"
 #include "texplorer/reference/explain/sampling_steps.h"
-#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 
@@ -55,11 +55,11 @@ Lines lodLines(const UnitExplanation& unit) {
     Lines lines{{fmt::format("λ {}", reference::lambdaText(lod))}};
     const bool isFactor = std::isfinite(lod.rho) && lod.rho > 0;
     lines.push_back({lod.magnified ? isFactor && lod.rho < 1 ? Sentence("magnified {0:.3g}×", 1 / lod.rho)
-                                                             : word("magnified")
+                                                             : N_("magnified")
                      : isFactor && lod.rho > 1 ? Sentence("minified {0:.3g}×", lod.rho)
-                                               : word("minified")});
+                                               : N_("minified")});
     if (lod.ellipse)
-        lines.push_back({"over an ellipse"});
+        lines.push_back({N_("over an ellipse")});
     else if (lod.probes > 1)
         lines.push_back({Sentence("{0} probes", lod.probes)});
     return lines;
@@ -69,15 +69,15 @@ Lines texelsLines(const UnitExplanation& unit) {
     const bool border = std::ranges::any_of(unit.sample.taps, &reference::Tap::border);
     const std::size_t count = reference::texelCount(unit.sample);
     const auto& levels = unit.sample.levels;
-    Lines lines{{count == 1 ? "1 texel" : Sentence("{0} texels", count)}};
+    Lines lines{{count == 1 ? N_("1 texel") : Sentence("{0} texels", count)}};
     if (levels.size() == 1)
         lines.push_back({Sentence("level {0}", levels[0].level)});
     else if (levels.size() > 1)
         lines.push_back({Sentence("levels {0}, {1}", levels[0].level, levels[1].level)});
     if (border)
-        lines.push_back({"with border"});
+        lines.push_back({N_("with border")});
     else if (!unit.ties.ties.empty())
-        lines.push_back({"a tie: either"});
+        lines.push_back({N_("a tie: either")});
     return lines;
 }
 
@@ -111,11 +111,11 @@ Lines testsLines(const FragmentExplanation& fragment) {
                : test.passed ? CardLine{passed, Ink::Good}
                              : CardLine{failed, Ink::Bad};
     };
-    Lines lines{line(fragment.alphaTest, "alpha: off", "alpha: passed", "alpha: failed"),
-                line(fragment.depthTest, "depth: off", "depth: passed", "depth: failed")};
+    Lines lines{line(fragment.alphaTest, N_("alpha: off"), N_("alpha: passed"), N_("alpha: failed")),
+                line(fragment.depthTest, N_("depth: off"), N_("depth: passed"), N_("depth: failed"))};
     if (fragment.outcome == reference::FragmentOutcome::Drawn)
-        lines.push_back(fragment.blend.enabled ? CardLine{"blending: on"}
-                                               : CardLine{"blending: off", Ink::Dim});
+        lines.push_back(fragment.blend.enabled ? CardLine{N_("blending: on")}
+                                               : CardLine{N_("blending: off"), Ink::Dim});
     return lines;
 }
 
@@ -139,7 +139,7 @@ Lines stageLines(Stage stage, const FragmentExplanation& fragment, const UnitExp
     case Stage::Environment:
         return environmentLines(*unit);
     case Stage::IdleUnit:
-        return {{"as if it were off", Ink::Bad}};
+        return {{N_("as if it were off"), Ink::Bad}};
     case Stage::ColorSum:
         return {colorLine(fragment.summed)};
     case Stage::Fog:

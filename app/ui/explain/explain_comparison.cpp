@@ -38,7 +38,7 @@ Comparison compareRenderers(const Session& session, const Pictures& pictures,
             const bool isTie = most > tolerance && reference::isAsRight(explanation, bytes, tolerance);
             comparison.most = std::max(comparison.most, isTie ? 0 : most);
             comparison.compared.emplace_back(rowOf(view.renderer).label);
-            remark = most == 0 ? reference::StepCell{"the same", Ink::Dim}
+            remark = most == 0 ? reference::StepCell{N_("the same"), Ink::Dim}
                      : isTie   ? reference::StepCell{Sentence("off by {0}: a tie, either is right", most)}
                                : reference::StepCell{Sentence("off by {0}", most),
                                                    most > tolerance ? Ink::Bad : Ink::Plain};

@@ -3,7 +3,7 @@
 #include "app/ui/widgets/board.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/palette.h"
-#include "texplorer/text/word.h"
+#include "texplorer/base/translatable.h"
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
@@ -315,10 +315,11 @@ void drawFilterSketch(const Sketch& whole, const UnitExplanation& unit) {
 void drawEnvironmentSketch(const Sketch& whole, const UnitExplanation& unit) {
     const std::string written = unit.equations.color.symbols + unit.equations.alpha.symbols;
     const auto names = [&](const char* symbol) { return written.find(symbol) != std::string::npos; };
-    std::vector<NamedColor> colors{{nullptr, "Cp", unit.inputs.previous}, {"·", "Cs", unit.inputs.source}};
-    if (names("Cc") || names("Ac"))
-        colors.push_back({"·", "Cc", unit.inputs.constant});
-    colors.push_back({"→", "Cv", unit.result});
+    std::vector<NamedColor> colors{{nullptr, N_("Cp"), unit.inputs.previous},
+                                   {"·", N_("Cs"), unit.inputs.source}};
+    if (names(N_("Cc")) || names(N_("Ac")))
+        colors.push_back({"·", N_("Cc"), unit.inputs.constant});
+    colors.push_back({"→", N_("Cv"), unit.result});
     drawNamedColors(whole, colors);
 }
 
@@ -348,18 +349,18 @@ void drawStagePicture(ImDrawList& draw, ImVec2 low, ImVec2 high, const Card& car
         break;
     case Stage::ColorSum:
         return drawNamedColors(whole, {{nullptr, "C", fragment.textured},
-                                       {"+", word("spec."), glm::vec4(glm::vec3(fragment.secondary), 1)},
-                                       {"→", word("sum"), fragment.summed}});
+                                       {"+", N_("spec."), glm::vec4(glm::vec3(fragment.secondary), 1)},
+                                       {"→", N_("sum"), fragment.summed}});
     case Stage::Fog:
-        return drawNamedColors(whole, {{nullptr, "Cr", fragment.summed},
-                                       {"·", "Cf", glm::vec4(glm::vec3(fragment.fog->state.color), 1)},
+        return drawNamedColors(whole, {{nullptr, N_("Cr"), fragment.summed},
+                                       {"·", N_("Cf"), glm::vec4(glm::vec3(fragment.fog->state.color), 1)},
                                        {"→", "C", fragment.color}});
     case Stage::Tests: {
         const bool drawn = fragment.outcome == reference::FragmentOutcome::Drawn;
         return drawNamedColors(whole,
-                               {{nullptr, word("here"), colorOfBytes(fragment.before)},
-                                {"+", word("new"), fragment.color},
-                                {"→", word("then"), colorOfBytes(drawn ? fragment.after : fragment.before)}});
+                               {{nullptr, N_("here"), colorOfBytes(fragment.before)},
+                                {"+", N_("new"), fragment.color},
+                                {"→", N_("then"), colorOfBytes(drawn ? fragment.after : fragment.before)}});
     }
     case Stage::Pixel:
         filledBox(whole.square(), colorOfBytes(fragment.after));

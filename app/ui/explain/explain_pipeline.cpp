@@ -238,7 +238,7 @@ void drawCards(OpenCards& cards, const Lane& lane, std::span<const Card> line, c
         const bool cut = drawCard(lane, card, other ? sameCard(other->cards, card) : nullptr, open, measure);
         if (pressed && cards.erase(key) == 0)
             cards.insert(key);
-        item((other || lane.title.empty() ? "card:" : "pinned card:") + card.name.english(),
+        item((other || lane.title.empty() ? "card:" : N_("pinned card:")) + card.name.english(),
              cut ? wordsOf(card) : rowOf(card.stage).help);
         ImGui::PopID();
     }

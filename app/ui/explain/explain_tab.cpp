@@ -35,11 +35,11 @@ Sentence pixelText(const Explanation& explanation) {
 
 void offerMethod(const Session& session, reference::AnisotropyMethod method) {
     const bool line = method == reference::AnisotropyMethod::Line;
-    const char* offer = line ? "Compare by line" : "Compare by ellipse";
+    const char* offer = line ? N_("Compare by line") : N_("Compare by ellipse");
     hangingText(
-        line ? "Drivers may filter anisotropically in different ways. This one averages one level along a "
-               "line."
-             : "Drivers may filter anisotropically in different ways. This one averages over an ellipse.",
+        line ? N_("Drivers may filter anisotropically in different ways. This one averages one level along a "
+                  "line.")
+             : N_("Drivers may filter anisotropically in different ways. This one averages over an ellipse."),
         color::text);
     noteItem("explain:method");
     const float button = buttonWidth(offer);
@@ -71,7 +71,7 @@ void drawInLine(const std::vector<StepRow>& rows, float reserved) {
 /// At the right end of the line, or below if it does not fit.
 void pixelButtons(const Session& session) {
     const bool pinned = session.look.explaining.pinned != nullptr;
-    const char* pin = pinned ? "Unpin" : "Pin";
+    const char* pin = pinned ? N_("Unpin") : N_("Pin");
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = buttonWidth(pin) + gap + buttonWidth("Clear");
     const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetScrollX();
@@ -84,9 +84,9 @@ void pixelButtons(const Session& session) {
             act(session, pinPixel);
     }
     item(pinned ? "explain:unpin" : "explain:pin",
-         pinned ? "Unpins the pixel kept for comparison."
-                : "Keeps this pixel. The next one, or the same one after a change, is shown next to it "
-                  "with the differences marked.");
+         pinned ? N_("Unpins the pixel kept for comparison.")
+                : N_("Keeps this pixel. The next one, or the same one after a change, is shown next to it "
+                     "with the differences marked."));
     sameLineFor(buttonWidth("Clear"), gap);
     if (ImGui::SmallButton(label("Clear")))
         act(session, [](Session& s) {
@@ -106,7 +106,7 @@ void drawHead(const Session& session, const Pictures& pictures, const Explanatio
                   explanation.pixel.x, explanation.pixel.y));
     const Comparison comparison = compareRenderers(session, pictures, explanation);
     if (wide) {
-        drawInLine(comparison.rows, buttonWidth("Unpin") + buttonWidth("Clear") + ImGui::GetFontSize());
+        drawInLine(comparison.rows, buttonWidth(N_("Unpin")) + buttonWidth("Clear") + ImGui::GetFontSize());
         pixelButtons(session);
     } else {
         pixelButtons(session);
@@ -124,13 +124,13 @@ void drawHead(const Session& session, const Pictures& pictures, const Explanatio
 /// The number of pixels that read the selected texel.
 Sentence readersOf(const Explaining& asked) {
     if (!asked.answer || !asked.answer->contributions || asked.answer->request.texel != asked.texel)
-        return "searching its pixels…";
+        return N_("searching its pixels…");
     const auto& found = *asked.answer->contributions;
     if (!found)
         return describe(found.error());
     const auto count = std::ranges::count_if(found->weights, [](float weight) { return weight > 0; });
-    return count == 0   ? "no visible pixel reads it"
-           : count == 1 ? "one pixel reads it"
+    return count == 0   ? N_("no visible pixel reads it")
+           : count == 1 ? N_("one pixel reads it")
                         : Sentence("{0} pixels read it", count);
 }
 
@@ -139,7 +139,7 @@ void drawTexelLine(const Session& session) {
     if (!asked.texel)
         return;
     const auto& [level, index] = asked.texel->texel;
-    const Sentence words("Texel {0}, {1} of level {2}: {3}", index.x, index.y, level, readersOf(asked));
+    const Sentence words(N_("Texel {0}, {1} of level {2}: {3}"), index.x, index.y, level, readersOf(asked));
     if (ImGui::SmallButton("✕##texel"))
         act(session, clearTexel);
     item("explain:clear texel", "Unpicks this texel (Escape)");

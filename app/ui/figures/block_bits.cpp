@@ -29,7 +29,7 @@ struct BitLine {
     float gap = 0; ///< between fields
 
     BitLine(BlockFormat format, float spread) {
-        for (const char* name : {"colour 0", "index row 0", "α rows 0, 1"})
+        for (const char* name : {N_("colour 0"), N_("index row 0"), N_("α rows 0, 1")})
             names = std::max(names, ImGui::CalcTextSize(tr(name)).x);
         names += ImGui::GetFontSize() * 0.5F;
         const float digit = codeLetter();
@@ -64,11 +64,11 @@ Sentence nameOfGroup(BlockFormat format, const BlockBytesGroup& group) {
     const BlockField& field = blockFields(format)[fieldAtBit(format, 8 * group.first)];
     switch (field.part) {
     case BlockPart::Color:
-        return {"colour {0}", field.number};
+        return {N_("colour {0}"), field.number};
     case BlockPart::ColorIndex:
-        return {"index row {0}", field.number / 4};
+        return {N_("index row {0}"), field.number / 4};
     case BlockPart::AlphaEnd:
-        return {"α {0}", field.number};
+        return {N_("α {0}"), field.number};
     case BlockPart::Alpha:
         break;
     }
@@ -80,20 +80,20 @@ Sentence nameOfGroup(BlockFormat format, const BlockBytesGroup& group) {
 /// Of a bit, its byte, and the number of a colour or an alpha, or a texel.
 using BitTip = Sentence::Key<int, int, int, int>;
 
-constexpr std::array<BitTip, 3> componentTips{"Bit {0} of byte {1}: red of colour {2}",
-                                              "Bit {0} of byte {1}: green of colour {2}",
-                                              "Bit {0} of byte {1}: blue of colour {2}"};
+constexpr std::array<BitTip, 3> componentTips{N_("Bit {0} of byte {1}: red of colour {2}"),
+                                              N_("Bit {0} of byte {1}: green of colour {2}"),
+                                              N_("Bit {0} of byte {1}: blue of colour {2}")};
 
 /// The meaning of a bit in words.
 Sentence tipOf(BlockFormat format, int bit, const BlockField& field) {
     const bool isEnd = field.part == BlockPart::Color || field.part == BlockPart::AlphaEnd;
     const BitTip words =
         field.part == BlockPart::Color ? componentTips.at(static_cast<std::size_t>(componentOf(field, bit)))
-        : field.part == BlockPart::AlphaEnd ? BitTip("Bit {0} of byte {1}: alpha {2}")
+        : field.part == BlockPart::AlphaEnd ? BitTip(N_("Bit {0} of byte {1}: alpha {2}"))
         : field.part == BlockPart::ColorIndex
-            ? BitTip("Bit {0} of byte {1}: the colour index of texel {2}, {3}")
-        : format == BlockFormat::Dxt3 ? BitTip("Bit {0} of byte {1}: the alpha of texel {2}, {3}")
-                                      : BitTip("Bit {0} of byte {1}: the alpha index of texel {2}, {3}");
+            ? BitTip(N_("Bit {0} of byte {1}: the colour index of texel {2}, {3}"))
+        : format == BlockFormat::Dxt3 ? BitTip(N_("Bit {0} of byte {1}: the alpha of texel {2}, {3}"))
+                                      : BitTip(N_("Bit {0} of byte {1}: the alpha index of texel {2}, {3}"));
     return {words, bit % 8, bit / 8, isEnd ? field.number : field.number % 4, field.number / 4};
 }
 

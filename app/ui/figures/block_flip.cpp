@@ -47,14 +47,14 @@ std::string numberText(std::size_t number) {
 }
 
 void chooseHeight(BlockFlipState& state) {
-    rowName("Height");
+    rowName(N_("Height"));
     const float width = std::min(ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 16);
     if (const auto pressed = drawSegments(segmentsOf(flipHeights, numberText), width,
                                           indexIn(flipHeights, state.height), [](std::size_t i) {
                                               item(fmt::format("flip:height {}", flipHeights.at(i)),
                                                    flipsWithoutLoss(flipHeights.at(i))
-                                                       ? "This height is flipped without loss."
-                                                       : "This height can't be flipped in blocks.");
+                                                       ? N_("This height is flipped without loss.")
+                                                       : N_("This height can't be flipped in blocks."));
                                           })) {
         state.height = flipHeights.at(*pressed);
         state.step = 0;
@@ -73,7 +73,7 @@ bool stepButton(const char* words, const char* name, bool enabled) {
 /// Previous, the steps by number, and Next.
 void chooseStep(BlockFlipState& state) {
     const std::size_t now = state.step;
-    if (stepButton("Previous", "flip:back", now > 0))
+    if (stepButton(N_("Previous"), "flip:back", now > 0))
         state.step = now - 1;
     ImGui::SameLine();
     const auto numbers = std::views::iota(std::size_t{0}, state.steps.size());
@@ -84,7 +84,7 @@ void chooseStep(BlockFlipState& state) {
         }))
         state.step = *pressed;
     ImGui::SameLine();
-    if (stepButton("Next", "flip:next", now + 1 < state.steps.size()))
+    if (stepButton(N_("Next"), "flip:next", now + 1 < state.steps.size()))
         state.step = now + 1;
 }
 
@@ -281,10 +281,10 @@ void drawFlipBytes(const BlockFlipState& state) {
         ImGui::Dummy({bytesWidth(), corner.y - top.y + line});
         item(fmt::format("flip:bytes {}", block),
              format == BlockFormat::Dxt5
-                 ? "The bytes of the alphas, the 12 bits of each alpha row as three digits, and the bytes "
-                   "of the colours. The stripe is the row's alpha or colour; changes are highlighted."
-                 : "The stripe is the alpha or the colour of the byte's row. Changes of the step are "
-                   "highlighted.");
+                 ? N_("The bytes of the alphas, the 12 bits of each alpha row as three digits, and the bytes "
+                      "of the colours. The stripe is the row's alpha or colour; changes are highlighted.")
+                 : N_("The stripe is the alpha or the colour of the byte's row. Changes of the step are "
+                      "highlighted."));
     }
 }
 

@@ -29,11 +29,11 @@ struct SourceChoice {
 };
 
 constexpr std::array sourceChoices{
-    SourceChoice{"Free block", "own", "A block to edit freely"},
-    SourceChoice{"From the texture", "texture",
-                 "A block of level 0 of the bound texture: its stored bytes, or compressed now"},
-    SourceChoice{"At the explained pixel", "probed",
-                 "The block of the texel that the explained pixel reads"}};
+    SourceChoice{N_("Free block"), "own", N_("A block to edit freely")},
+    SourceChoice{N_("From the texture"), "texture",
+                 N_("A block of level 0 of the bound texture: its stored bytes, or compressed now")},
+    SourceChoice{N_("At the explained pixel"), "probed",
+                 N_("The block of the texel that the explained pixel reads")}};
 
 template<class Choices>
 float minWidthOf(const Choices& choices) {
@@ -82,7 +82,7 @@ void drawBlockMicroscope(const Session& session, BlockMicroscopeState& state) {
     followBlockSource(session, state);
     drawChoices(state);
     dimWrappedText(
-        "Click a texel, then one of the four colours. Click a bit to flip it. Related parts light up.");
+        N_("Click a texel, then one of the four colours. Click a bit to flip it. Related parts light up."));
     const float em = ImGui::GetFontSize();
     const BlockLook look = lookAt(state);
     state.hovering.reset();

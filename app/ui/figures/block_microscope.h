@@ -24,16 +24,17 @@ struct BlockExample {
 };
 
 inline constexpr std::array blockExamples{
-    BlockExample{"Four colours", BlockFormat::Dxt1Alpha, "20 FD 30 19 A0 E8 FA 7E",
-                 "Colour 0 is the larger number: indices 2 and 3 are between the ends."},
-    BlockExample{"Three and a hole", BlockFormat::Dxt1Alpha, "30 19 20 FD A5 BD 3E 0A",
-                 "Colour 0 is the smaller number: index 2 is the mean, and index 3 is transparent black."},
-    BlockExample{"16 alphas", BlockFormat::Dxt3, "10 32 54 76 98 BA DC FE 20 FD 30 19 A0 E8 FA 7E",
-                 "DXT3: each texel has an alpha of 4 bits."},
-    BlockExample{"Eight alphas", BlockFormat::Dxt5, "FF 00 D0 A8 B1 63 CD FA 20 FD 30 19 A0 E8 FA 7E",
-                 "DXT5 with alpha 0 larger than alpha 1: six alphas between the ends."},
-    BlockExample{"Six, 0 and 255", BlockFormat::Dxt5, "50 B0 86 06 AD 5A B3 E6 20 FD 30 19 A0 E8 FA 7E",
-                 "DXT5 with alpha 0 smaller than alpha 1: four alphas between the ends, and 0 and 255."},
+    BlockExample{N_("Four colours"), BlockFormat::Dxt1Alpha, "20 FD 30 19 A0 E8 FA 7E",
+                 N_("Colour 0 is the larger number: indices 2 and 3 are between the ends.")},
+    BlockExample{
+        N_("Three and a hole"), BlockFormat::Dxt1Alpha, "30 19 20 FD A5 BD 3E 0A",
+        N_("Colour 0 is the smaller number: index 2 is the mean, and index 3 is transparent black.")},
+    BlockExample{N_("16 alphas"), BlockFormat::Dxt3, "10 32 54 76 98 BA DC FE 20 FD 30 19 A0 E8 FA 7E",
+                 N_("DXT3: each texel has an alpha of 4 bits.")},
+    BlockExample{N_("Eight alphas"), BlockFormat::Dxt5, "FF 00 D0 A8 B1 63 CD FA 20 FD 30 19 A0 E8 FA 7E",
+                 N_("DXT5 with alpha 0 larger than alpha 1: six alphas between the ends.")},
+    BlockExample{N_("Six, 0 and 255"), BlockFormat::Dxt5, "50 B0 86 06 AD 5A B3 E6 20 FD 30 19 A0 E8 FA 7E",
+                 N_("DXT5 with alpha 0 smaller than alpha 1: four alphas between the ends, and 0 and 255.")},
 };
 
 /// The source of the block: the user's input, or the scene's texture.

@@ -90,7 +90,7 @@ const char* recipeOf(std::size_t index, bool fourColors, BlockFormat format) {
         return index == 2 ? "(2c0+c1)/3" : "(c0+2c1)/3";
     if (index == 2)
         return "(c0+c1)/2";
-    return format == BlockFormat::Dxt1Alpha ? "Transparent" : "Black";
+    return format == BlockFormat::Dxt1Alpha ? N_("Transparent") : N_("Black");
 }
 
 void drawColorRow(BlockMicroscopeState& state, const BlockLook& look, std::size_t index) {
@@ -123,10 +123,11 @@ void modeSentence(const BlockMicroscopeState& state, const BlockLook& look) {
     const auto [first, second] = look.fields.colors;
     const bool isDxt1 = alphaCount(state.format) == 0;
     using Words = Sentence::Key<std::uint16_t, std::uint16_t>;
-    const Words words = first > second ? Words("c0 = {0:04X} is larger than c1 = {1:04X}: four colours.")
-                        : state.format == BlockFormat::Dxt1Alpha
-                            ? Words("c0 = {0:04X} is not larger than c1 = {1:04X}: three colours and a hole.")
-                            : Words("c0 = {0:04X} is not larger than c1 = {1:04X}: three colours and black.");
+    const Words words =
+        first > second ? Words(N_("c0 = {0:04X} is larger than c1 = {1:04X}: four colours."))
+        : state.format == BlockFormat::Dxt1Alpha
+            ? Words(N_("c0 = {0:04X} is not larger than c1 = {1:04X}: three colours and a hole."))
+            : Words(N_("c0 = {0:04X} is not larger than c1 = {1:04X}: three colours and black."));
     wrappedText(isDxt1 ? Sentence(words, first, second)
                        : Sentence("{0} always has four colours.", rowOf(state.format).label));
     noteItem("block:mode");
@@ -150,10 +151,10 @@ void drawAlphaEnds(BlockMicroscopeState& state, const BlockLook& look) {
                        static_cast<unsigned>(value));
         hoverEnd(state, BlockPart::AlphaEnd, end);
         helpTip(end == 0 ? "Alpha 0, 8 bits. If larger than alpha 1: eight alphas; else six, 0 and 255."
-                         : "Alpha 1, 8 bits.");
+                         : N_("Alpha 1, 8 bits."));
         ImGui::SameLine(0, gap);
     }
-    const char* words = hasEightAlphas(look.fields) ? "Swap (eight)" : "Swap (six)";
+    const char* words = hasEightAlphas(look.fields) ? N_("Swap (eight)") : N_("Swap (six)");
     if (ImGui::Button(label(fmt::format("{}##alphas", words)).c_str(), {ImGui::GetContentRegionAvail().x, 0}))
         swapEnds(state, BlockPart::AlphaEnd);
     item("block:swap alphas",

@@ -38,7 +38,7 @@ void followLevels(Session& session, BlockSource& source) {
     std::optional<LevelsRequest> request = boundLevels(session);
     if (!request) {
         source.problem =
-            boundTexture(session) ? "The image is not loaded." : "No texture is bound to this unit.";
+            boundTexture(session) ? N_("The image is not loaded.") : N_("No texture is bound to this unit.");
         return giveLevelsBack(session, source);
     }
     if (!source.levels || source.request != request) {
@@ -55,7 +55,7 @@ void followLevels(Session& session, BlockSource& source) {
     if (!*source.levels)
         source.problem = source.levels->error().message;
     else if ((*source.levels)->levels.empty())
-        source.problem = "There is no level.";
+        source.problem = N_("There is no level.");
 }
 
 /// The first level of a face, and the source of its compression if it was compressed here.
@@ -152,10 +152,10 @@ void drawPlace(BlockMicroscopeState& state) {
         const char* help;
         int x, y;
     };
-    constexpr std::array ways{Way{"←", "block:left", "The previous block along s", -1, 0},
-                              Way{"→", "block:right", "The next block along s", 1, 0},
-                              Way{"↓", "block:down", "The previous block along t", 0, -1},
-                              Way{"↑", "block:up", "The next block along t", 0, 1}};
+    constexpr std::array ways{Way{"←", "block:left", N_("The previous block along s"), -1, 0},
+                              Way{"→", "block:right", N_("The next block along s"), 1, 0},
+                              Way{"↓", "block:down", N_("The previous block along t"), 0, -1},
+                              Way{"↑", "block:up", N_("The next block along t"), 0, 1}};
     for (const Way& way : ways) {
         const int x = source.x + way.x;
         const int y = source.y + way.y;
@@ -220,7 +220,7 @@ void follow(Session& session, BlockMicroscopeState& state) {
     if (source.kind == SourceKind::Probed) {
         const std::optional<glm::ivec3> block = probedBlock(session, levels);
         if (!block) {
-            source.problem = "Explain a pixel that reads this texture.";
+            source.problem = N_("Explain a pixel that reads this texture.");
             return;
         }
         source.x = block->x;

@@ -158,7 +158,7 @@ void drawLensScale(ImDrawList& draw, const PlotBox& box, float top) {
     plotText({box.atX(0.5F), below}, {0.5F, 0}, "s", color::s);
 }
 
-constexpr std::array lensNames{"Texels", "Weights", "Colour"};
+constexpr std::array lensNames{N_("Texels"), N_("Weights"), N_("Colour")};
 
 /// The large drawing: row, weights and result one above the other. Dragging on it changes the coordinate.
 void drawLens(EdgeLensState& state, const LensRow& row, Wrap wrap, float width, float height) {
@@ -285,14 +285,14 @@ void drawLensStrips(const Session& session, const ParamPlace& place, const LensR
 /// The number of texels, and the filter of the scene's texture.
 void drawLensChoices(const Session& session, EdgeLensState& state, const ParamPlace& filter) {
     const float em = ImGui::GetFontSize();
-    rowName("Texels");
+    rowName(N_("Texels"));
     const auto sizes = segmentsOf(lensSizes, [](int size) { return std::to_string(size); });
     if (const auto pressed = drawSegments(sizes, em * 6, indexIn(lensSizes, state.size), [](std::size_t i) {
             item(fmt::format("edge:size {}", lensSizes.at(i)), "The number of texels in the row.");
         }))
         state.size = lensSizes.at(*pressed);
     sameLineFor(em * 11, em);
-    rowName("Filter");
+    rowName(N_("Filter"));
     paramControl(session, filter.owner, *filter.row, em * 10);
 }
 
@@ -306,7 +306,7 @@ void drawEdgeLens(const Session& session, EdgeLensState& state) {
     std::optional<ParamPlace> filterPlace =
         placeOf(presentScene(session), path + keyOf<&Texture::magFilter>());
     if (!texture || !wrapPlace || !filterPlace)
-        return dimWrappedText("Bind a texture to this unit to draw its wrap mode and its filter.");
+        return dimWrappedText(N_("Bind a texture to this unit to draw its wrap mode and its filter."));
     static const Texture initial;
     filterPlace->owner.initial = &initial;
     const float em = ImGui::GetFontSize();
@@ -317,7 +317,7 @@ void drawEdgeLens(const Session& session, EdgeLensState& state) {
         ImGui::SameLine(0, em * 1.5F);
         ImGui::AlignTextToFramePadding();
     }
-    fittedText("Drag across the drawing to read a coordinate. Click a wrap mode to use it for s.",
+    fittedText(N_("Drag across the drawing to read a coordinate. Click a wrap mode to use it for s."),
                color::dim);
     const LensRow row{state.size, glm::vec3(texture->borderColor), texture->magFilter == MagFilter::Linear};
     const Wrap wrap = texture->wrapS;

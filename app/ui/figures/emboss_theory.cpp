@@ -214,7 +214,7 @@ void drawEmbossStrip(const EmbossTheoryState& state, const PlotBox& box, const C
 
 void drawEmbossDrawings(EmbossTheoryState& state, const EmbossFigure& figure, ImVec2 size) {
     const float em = ImGui::GetFontSize();
-    constexpr std::array names{"Heights", "Relief", "Grey", "Lit"};
+    constexpr std::array names{N_("Heights"), N_("Relief"), N_("Grey"), N_("Lit")};
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const float left = origin.x + plotNamesWidth(names);
     const float right = origin.x + size.x;
@@ -263,7 +263,7 @@ void numberLine(const char* name, ImU32 ink) {
 /// The controls: the line, the light, the offset of the second map, the position.
 void drawEmbossChoices(const Session& session, EmbossTheoryState& state, std::optional<ParamPlace>& depth) {
     const float em = ImGui::GetFontSize();
-    const std::array lines{Segment{"Bump and block"}, Segment{"Bricks"}};
+    const std::array lines{Segment{N_("Bump and block")}, Segment{N_("Bricks")}};
     if (const auto pressed =
             drawSegments(lines, std::min(em * 15, ImGui::GetContentRegionAvail().x),
                          static_cast<std::size_t>(state.line), [](std::size_t i) {
@@ -290,9 +290,10 @@ void drawEmbossChoices(const Session& session, EmbossTheoryState& state, std::op
     }
     noteItem("emboss:depth");
     sealAfterItem(session);
-    helpTip(depth ? "The maximum shift of the second map: the scene's depth of embossing."
-                  : "The maximum shift of the second map. No unit of the scene embosses, so it affects the "
-                    "figure only.");
+    helpTip(depth
+                ? "The maximum shift of the second map: the scene's depth of embossing."
+                : N_("The maximum shift of the second map. No unit of the scene embosses, so it affects the "
+                     "figure only."));
 }
 
 void drawEmbossNumbers(const EmbossTheoryState& state, const EmbossFigure& figure) {
@@ -317,23 +318,25 @@ void drawEmbossNumbers(const EmbossTheoryState& state, const EmbossFigure& figur
     const ImVec2 high = low + ImVec2(em * 1.6F, em);
     ImGui::GetWindowDrawList()->AddRectFilled(low, high, plotColor(point.color));
     ImGui::GetWindowDrawList()->AddRect(low, high, color::outline);
-    const char* seen = point.grey < 0.497F   ? "The surface rises towards the light: H1 is larger, so it "
-                                               "is darker."
-                       : point.grey > 0.503F ? "The surface falls towards the light: H0 is larger, so it "
-                                               "is brighter."
-                                             : "The surface is flat: the heights cancel, and 0.5 is left.";
+    const char* seen = point.grey < 0.497F ? N_("The surface rises towards the light: H1 is larger, so it "
+                                                "is darker.")
+                       : point.grey > 0.503F
+                           ? N_("The surface falls towards the light: H0 is larger, so it "
+                                "is brighter.")
+                           : N_("The surface is flat: the heights cancel, and 0.5 is left.");
     wrappedText(seen);
     dimWrappedText(
-        "NeHe's text calls m = H1 - H0 the slope, but its formula, Fd + (H0 - H1), and its program "
-        "have the other sign.");
+        N_("NeHe's text calls m = H1 - H0 the slope, but its formula, Fd + (H0 - H1), and its program "
+           "have the other sign."));
 }
 
 } // namespace
 
 void drawEmbossTheory(const Session& session, EmbossTheoryState& state) {
     const float em = ImGui::GetFontSize();
-    fittedText("Drag the sun, a place on the surface, and MAX_EMBOSS: slopes that face the light get bright.",
-               color::dim);
+    fittedText(
+        N_("Drag the sun, a place on the surface, and MAX_EMBOSS: slopes that face the light get bright."),
+        color::dim);
     std::optional<ParamPlace> depth = embossDepth(session);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const bool beside = room.x > em * 44;

@@ -71,9 +71,9 @@ std::vector<std::string> equationLines(const CellPlan& plan, const std::string& 
     return {plan.tight || plan.dense ? withoutBlanks(equation) : equation};
 }
 
-constexpr const char* longest = "Cp (1 − Cs) + Cc Cs";
-constexpr const char* longestDense = "Cp(1−Cs)+CcCs";
-constexpr const char* longestTight = "Cp(1−Cs)";
+constexpr const char* longest = N_("Cp (1 − Cs) + Cc Cs");
+constexpr const char* longestDense = N_("Cp(1−Cs)+CcCs");
+constexpr const char* longestTight = N_("Cp(1−Cs)");
 constexpr const char* longestBytes = "255 255 255 255";
 
 /// The number of text lines in a plan.

@@ -40,14 +40,14 @@ struct ColorRow {
     std::optional<glm::vec4> EnvironmentTableState::*own;
 };
 constexpr std::array colorRows{
-    ColorRow{"Cp",
-             "Cp, Ap: the incoming colour from lighting, glColor or the unit before. Textbooks write Cf.",
+    ColorRow{N_("Cp"),
+             N_("Cp, Ap: the incoming colour from lighting, glColor or the unit before. Textbooks write Cf."),
              &TableColors::fragment, &EnvironmentTableState::fragment},
-    ColorRow{"Ct",
-             "Ct, At: the filtered texel with all components of its image. Cs and As are the part that a "
-             "format keeps; Lt and It are its red.",
+    ColorRow{N_("Ct"),
+             N_("Ct, At: the filtered texel with all components of its image. Cs and As are the part that a "
+                "format keeps; Lt and It are its red."),
              &TableColors::texel, &EnvironmentTableState::texel},
-    ColorRow{"Cc", "Cc, Ac: GL_TEXTURE_ENV_COLOR of the unit. Only GL_BLEND reads it.",
+    ColorRow{N_("Cc"), N_("Cc, Ac: GL_TEXTURE_ENV_COLOR of the unit. Only GL_BLEND reads it."),
              &TableColors::constant, &EnvironmentTableState::constant},
 };
 
@@ -110,26 +110,27 @@ std::optional<std::size_t> buttons(const char* name, std::span<const ChoiceWords
 
 void tools(EnvironmentTableState& state, const TableSubject& subject, const CellPlan& plan) {
     constexpr std::array texts{
-        ChoiceWords{"In symbols", "The equations of each cell: colour, and below it alpha."},
-        ChoiceWords{"In numbers",
-                    "The result of each cell for the colours above: red, green, blue and alpha, 0 to 255."},
-        ChoiceWords{"Pictures", "The result of each cell for a small picture."}};
+        ChoiceWords{N_("In symbols"), N_("The equations of each cell: colour, and below it alpha.")},
+        ChoiceWords{
+            N_("In numbers"),
+            N_("The result of each cell for the colours above: red, green, blue and alpha, 0 to 255.")},
+        ChoiceWords{N_("Pictures"), N_("The result of each cell for a small picture.")}};
     constexpr std::array pictures{
-        ChoiceWords{"Texture", "The pictures show the bound texture."},
-        ChoiceWords{"Gradient", "The pictures show every hue, and every alpha from bottom to top."}};
+        ChoiceWords{N_("Texture"), N_("The pictures show the bound texture.")},
+        ChoiceWords{N_("Gradient"), N_("The pictures show every hue, and every alpha from bottom to top.")}};
     if (!plan.hasBoth()) {
         const std::span<const ChoiceWords> offered = std::span(texts).first(plan.apart ? 3 : 2);
         const CellText shown =
             plan.apart || state.shows != CellText::Pictures ? state.shows : CellText::Symbols;
-        if (const auto pressed = buttons("table text", offered, static_cast<std::size_t>(shown)))
+        if (const auto pressed = buttons(N_("table text"), offered, static_cast<std::size_t>(shown)))
             state.shows = static_cast<CellText>(*pressed);
     }
     if (subject.texels) {
-        if (const auto pressed = buttons("table picture", pictures, state.gradient ? 1 : 0))
+        if (const auto pressed = buttons(N_("table picture"), pictures, state.gradient ? 1 : 0))
             state.gradient = *pressed == 1;
     }
     if (hasOwnColors(state)) {
-        const char* words = subject.probed ? "Back to the pixel" : "Back to the scene";
+        const char* words = subject.probed ? N_("Back to the pixel") : N_("Back to the scene");
         sameLineFor(buttonWidth(words), ImGui::GetFontSize() * 0.8F);
         if (ImGui::Button(label(words)))
             state.fragment = state.texel = state.constant = std::nullopt;
@@ -140,11 +141,12 @@ void tools(EnvironmentTableState& state, const TableSubject& subject, const Cell
 /// The source of the colours, and instructions.
 void sentence(const EnvironmentTableState& state, const TableSubject& subject) {
     const char* words =
-        hasOwnColors(state) ? "Point at a cell to preview it, click to apply it. The colours are your own."
+        hasOwnColors(state)
+            ? N_("Point at a cell to preview it, click to apply it. The colours are your own.")
         : subject.probed
-            ? "Point at a cell to preview it, click to apply it. The colours are those of the explained "
-              "pixel."
-            : "Point at a cell to preview it, click to apply it. Explain a pixel to use its colours.";
+            ? N_("Point at a cell to preview it, click to apply it. The colours are those of the explained "
+                 "pixel.")
+            : N_("Point at a cell to preview it, click to apply it. Explain a pixel to use its colours.");
     if (sameLineFor(ImGui::GetFontSize() * 16, ImGui::GetFontSize() * 0.8F))
         ImGui::AlignTextToFramePadding();
     if (fittedText(words, color::dim))
@@ -165,7 +167,7 @@ std::string nameOf(const CellPlace& cell) {
 
 /// The name of the undo step and of the preview.
 Sentence wordsOf(const CellPlace& cell) {
-    return {"{0}: {1}, {2}", "Environment", texplorer::rowOf(cell.mode()).label,
+    return {N_("{0}: {1}, {2}"), N_("Environment"), texplorer::rowOf(cell.mode()).label,
             texplorer::rowOf(cell.format()).label};
 }
 
@@ -180,7 +182,7 @@ void take(Scene& scene, const Selection& selection, const TableSubject& subject,
 
 Sentence sourceText(BaseFormat format) {
     const auto [source, alpha] = reference::sourceSymbols(format);
-    return {"Cs = {0}, As = {1}", ProperName{source}, ProperName{alpha}};
+    return {N_("Cs = {0}, As = {1}"), ProperName{source}, ProperName{alpha}};
 }
 
 void cellTip(const Session& session, const CellPlace& cell, const TableColors& colors) {
@@ -189,20 +191,22 @@ void cellTip(const Session& session, const CellPlace& cell, const TableColors& c
     const Settings& settings = session.settings;
     const reference::EnvironmentEquations equations =
         reference::equationsOf(cell.mode(), cell.format(), reference::inputsOf(cell.format(), colors));
-    const Sentence names("{0}, {1}", shownName(settings, texplorer::rowOf(cell.mode())),
+    const Sentence names(N_("{0}, {1}"), shownName(settings, texplorer::rowOf(cell.mode())),
                          shownName(settings, texplorer::rowOf(cell.format())));
     if (equations.undefined)
-        return helpTip(Sentence("{0}\n{1}", names,
-                                "The specification leaves this undefined. Here the incoming colour stays; a "
-                                "driver may do anything else."));
+        return helpTip(
+            Sentence("{0}\n{1}", names,
+                     N_("The specification leaves this undefined. Here the incoming colour stays; a "
+                        "driver may do anything else.")));
     const auto formula = [](const Sentence& text) {
         return Sentence(ProperName{reference::withHandSigns(tr(text))});
     };
     std::vector<Sentence> lines{names, sourceText(cell.format()), formula(equations.color.symbols)};
     constexpr std::array components{"red", "green", "blue"};
     for (std::size_t i = 0; i < components.size(); ++i)
-        lines.push_back({"  {0}: {1}", components.at(i), formula(equations.color.numbers.at(i))});
-    lines.push_back({"{0}: {1}", formula(equations.alpha.symbols), formula(equations.alpha.numbers.at(0))});
+        lines.push_back({N_("  {0}: {1}"), components.at(i), formula(equations.color.numbers.at(i))});
+    lines.push_back(
+        {N_("{0}: {1}"), formula(equations.alpha.symbols), formula(equations.alpha.numbers.at(0))});
     helpTip(Sentence::joined("{0}\n{1}", lines));
 }
 
@@ -264,7 +268,7 @@ float columnHeadHeight() {
 /// The width of the formats' names.
 float headWidth(const Session& session) {
     const float em = ImGui::GetFontSize();
-    float width = em * 1.6F + ImGui::CalcTextSize("Cs = Lt, As = At").x * 0.8F;
+    float width = em * 1.6F + ImGui::CalcTextSize(N_("Cs = Lt, As = At")).x * 0.8F;
     for (const BaseFormat format : tableFormats)
         width = std::max(
             width, ImGui::CalcTextSize(tr(shownName(session.settings, texplorer::rowOf(format))).c_str()).x);

@@ -12,18 +12,18 @@ namespace {
 using Act = FlipStep::Act;
 
 /// The bytes, for 2, 3 and 4 rows of a block.
-constexpr std::array<const char*, 3> bytesOfDxt1{"Swap rows 0 and 1: bytes 4 and 5.",
-                                                 "Swap rows 0 and 2: bytes 4 and 6.",
-                                                 "Swap rows 0 and 3, and 1 and 2: bytes 4 and 7, 5 and 6."};
+constexpr std::array<const char*, 3> bytesOfDxt1{
+    N_("Swap rows 0 and 1: bytes 4 and 5."), N_("Swap rows 0 and 2: bytes 4 and 6."),
+    N_("Swap rows 0 and 3, and 1 and 2: bytes 4 and 7, 5 and 6.")};
 constexpr std::array<const char*, 3> bytesOfDxt3{
-    "Swap rows 0 and 1: bytes 0, 1 and 2, 3 of the alphas; bytes 12 and 13 of the indices.",
-    "Swap rows 0 and 2: bytes 0, 1 and 4, 5 of the alphas; bytes 12 and 14 of the indices.",
-    "Swap rows 0 and 3, and 1 and 2: bytes 0, 1 and 6, 7, then 2, 3 and 4, 5 of the alphas; bytes 12 and "
-    "15, 13 and 14 of the indices."};
+    N_("Swap rows 0 and 1: bytes 0, 1 and 2, 3 of the alphas; bytes 12 and 13 of the indices."),
+    N_("Swap rows 0 and 2: bytes 0, 1 and 4, 5 of the alphas; bytes 12 and 14 of the indices."),
+    N_("Swap rows 0 and 3, and 1 and 2: bytes 0, 1 and 6, 7, then 2, 3 and 4, 5 of the alphas; bytes 12 and "
+       "15, 13 and 14 of the indices.")};
 constexpr std::array<const char*, 3> bytesOfDxt5{
-    "Swap rows 0 and 1: the first and the second 12 bits of the alphas; bytes 12 and 13.",
-    "Swap rows 0 and 2: the first and the third 12 bits of the alphas; bytes 12 and 14.",
-    "Swap rows 0 and 3, and 1 and 2: their 12 bits of the alphas; bytes 12 and 15, 13 and 14."};
+    N_("Swap rows 0 and 1: the first and the second 12 bits of the alphas; bytes 12 and 13."),
+    N_("Swap rows 0 and 2: the first and the third 12 bits of the alphas; bytes 12 and 14."),
+    N_("Swap rows 0 and 3, and 1 and 2: their 12 bits of the alphas; bytes 12 and 15, 13 and 14.")};
 
 const char* bytesThatMove(BlockFormat format, int rows) {
     const auto& words = format == BlockFormat::Dxt5   ? bytesOfDxt5
@@ -47,16 +47,17 @@ double errorOf(const BlockImage& stored, const BlockImage& again) {
 
 std::vector<Sentence> beginning(const BlockImage& image) {
     const int height = image.height;
-    std::vector<Sentence> words{
-        "As in the file: the first row is the top row of the image, but OpenGL takes it for the bottom row."};
+    std::vector<Sentence> words{N_(
+        "As in the file: the first row is the top row of the image, but OpenGL takes it for the bottom row.")};
     if (height == 1)
-        words.emplace_back("There is only one row: nothing to do.");
+        words.emplace_back(N_("There is only one row: nothing to do."));
     else if (height < 4)
-        words.push_back({"One row of blocks, of which {0} texel rows are inside the image.", height});
+        words.push_back({N_("One row of blocks, of which {0} texel rows are inside the image."), height});
     else if (!flipsWithoutLoss(height))
-        words.push_back({"A height of {0} is not a multiple of 4: the last block is used in part. Continue "
-                         "to see the result of the usual steps.",
-                         height});
+        words.push_back(
+            {N_("A height of {0} is not a multiple of 4: the last block is used in part. Continue "
+                "to see the result of the usual steps."),
+             height});
     return words;
 }
 
@@ -66,15 +67,15 @@ std::vector<Sentence> turning(std::span<const FlipStep> steps, std::size_t step)
     std::vector<Sentence> words{Sentence("Inside the blocks of row {0}.", steps[step].first),
                                 bytesThatMove(image.format, rows)};
     if (rows < 4)
-        words.emplace_back("The rows outside the image keep their bits.");
+        words.emplace_back(N_("The rows outside the image keep their bits."));
     const bool isLastTurn = step + 1 == steps.size() || steps[step + 1].act == Act::Recompress;
     if (!isLastTurn)
         return words;
     if (flipsWithoutLoss(image.height))
-        words.emplace_back("Done: the image is upside down, and no colour has changed.");
+        words.emplace_back(N_("Done: the image is upside down, and no colour has changed."));
     else
         words.push_back(
-            {"Wrong: the image begins with {0} unused rows, and has lost as many rows of its own.",
+            {N_("Wrong: the image begins with {0} unused rows, and has lost as many rows of its own."),
              4 - image.height % 4});
     return words;
 }
@@ -90,7 +91,7 @@ std::vector<Sentence> flipSentences(std::span<const FlipStep> steps, std::size_t
         std::vector<Sentence> words{Sentence(
             "Swap the rows of blocks {0} and {1}, with each block unchanged.", now.first, now.second)};
         if (now.second - now.first == 2)
-            words.emplace_back("The middle row stays in place.");
+            words.emplace_back(N_("The middle row stays in place."));
         return words;
     }
     case Act::TurnRows:
@@ -98,11 +99,12 @@ std::vector<Sentence> flipSentences(std::span<const FlipStep> steps, std::size_t
     case Act::Recompress:
         break;
     }
-    return {"A new block would need rows of two old blocks, but has only two end colours for all of them.",
-            Sentence("Decompressed, flipped and compressed again, it differs by {0:.1f} of 255 (RMS).",
-                     errorOf(steps.front().after, now.after)),
-            "Texplorer decompresses such a texture at loading and flips its pixels; texshot flip refuses it "
-            "without --lossy."};
+    return {
+        N_("A new block would need rows of two old blocks, but has only two end colours for all of them."),
+        Sentence("Decompressed, flipped and compressed again, it differs by {0:.1f} of 255 (RMS).",
+                 errorOf(steps.front().after, now.after)),
+        N_("Texplorer decompresses such a texture at loading and flips its pixels; texshot flip refuses it "
+           "without --lossy.")};
 }
 
 } // namespace texplorer::ui

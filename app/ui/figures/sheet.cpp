@@ -89,7 +89,7 @@ struct Axes {
 
 Sentence wordsOf(const Session& session, const Axes& axes, std::size_t row, std::size_t column) {
     const Settings& settings = session.settings;
-    return {"{0}: {1}, {2}: {3}", shownName(settings, *axes.rows.row), axes.rows.labels.at(row),
+    return {N_("{0}: {1}, {2}: {3}"), shownName(settings, *axes.rows.row), axes.rows.labels.at(row),
             shownName(settings, *axes.columns.row), axes.columns.labels.at(column)};
 }
 
@@ -212,16 +212,16 @@ void sentence(const Axes& axes) {
         if (axis->all <= axis->count())
             continue;
         const Sentence words(
-            "{0} has {1} values, and the first {2} are shown. Type the values to show; a file has all.",
+            N_("{0} has {1} values, and the first {2} are shown. Type the values to show; a file has all."),
             axis->row->label, axis->all, axis->count());
         if (fittedText(words, color::problem))
             helpTip(words);
         return noteItem("sheet:too many");
     }
-    constexpr const char* words = "Point at a picture to enlarge it, click to apply its values.";
+    constexpr const char* words = N_("Point at a picture to enlarge it, click to apply its values.");
     const Sentence more =
-        "Every pair of values, drawn by the reference at this small size, so it minifies more "
-        "than the view.";
+        N_("Every pair of values, drawn by the reference at this small size, so it minifies more "
+           "than the view.");
     helpTip(fittedText(words, color::dim) ? Sentence("{0}\n{1}", words, more) : more);
 }
 

@@ -22,7 +22,7 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr std::array<const char*, 2> sideNames{"Rows", "Columns"};
+constexpr std::array<const char*, 2> sideNames{N_("Rows"), N_("Columns")};
 
 /// The label of the parameter at a path; the path if there is none.
 Sentence labelAt(const Session& session, const std::string& path) {
@@ -92,8 +92,8 @@ std::optional<std::string> choosePath(const Session& session, SheetState& state,
     return chosen;
 }
 
-constexpr const char* saveWords = "Save…";
-constexpr const char* copyWords = "Copy command";
+constexpr const char* saveWords = N_("Save…");
+constexpr const char* copyWords = N_("Copy command");
 
 /// The options of the file: the extent of each picture, and the names of values.
 void fileOptions(const Session& session) {
@@ -111,13 +111,13 @@ void fileOptions(const Session& session) {
              "The size of each picture in pixels. Drag it, or double-click to type a number.");
     };
     const float names = em * 7;
-    rowName("Each picture", names);
+    rowName(N_("Each picture"), names);
     number("##width", &SheetChoice::width);
     ImGui::SameLine(0, inner);
     ImGui::TextUnformatted("×");
     ImGui::SameLine(0, inner);
     number("##height", &SheetChoice::height);
-    rowName("Values", names);
+    rowName(N_("Values"), names);
     for (const EnumRow& row : EnumTable<sheet::LabelKind>::rows) {
         if (&row != &EnumTable<sheet::LabelKind>::rows.front())
             ImGui::SameLine(0, em * 0.8F);
@@ -188,7 +188,7 @@ void axisControls(const Session& session, SheetState& state, const SheetAxes& sh
     if (ImGui::Button(fmt::format("{}###path", name).c_str(), {width, 0}))
         ImGui::OpenPopup("paths");
     item(fmt::format("sheet:{}", sideNames.at(side)),
-         Sentence("{0}\n{1}", ProperName{axis.path}, "Select another parameter."));
+         Sentence("{0}\n{1}", ProperName{axis.path}, N_("Select another parameter.")));
     if (ImGui::BeginPopup("paths")) {
         if (std::optional<std::string> path = choosePath(session, state, axis.path))
             choose({*std::move(path), "*"});
@@ -212,7 +212,7 @@ void axisControls(const Session& session, SheetState& state, const SheetAxes& sh
 
 void pairChoice(const Session& session, float width) {
     const SheetChoice& choice = session.sheet;
-    const char* current = choice.own ? "Your own pair" : sheetPairs().at(choice.pair).label;
+    const char* current = choice.own ? N_("Your own pair") : sheetPairs().at(choice.pair).label;
     ImGui::SetNextItemWidth(width);
     const std::string name = fitted(current, listRoom(width));
     const bool open = ImGui::BeginCombo("##pair", name.c_str(), ImGuiComboFlags_HeightLargest);

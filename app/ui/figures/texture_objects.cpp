@@ -47,7 +47,7 @@ void enumCalls(const Session& session, std::string_view name, std::span<const En
     std::vector<Segment> segments =
         segmentsOf(choices, [&](Enum each) { return shownBrief(session.settings, rowOf(each)); });
     if constexpr (std::is_same_v<Enum, MinFilter>)
-        segments.back().text = "Blended mips"; // Nearest within each: the initial value
+        segments.back().text = N_("Blended mips"); // Nearest within each: the initial value
     ImGui::PushID(name.data());
     const auto pressed = drawSegments(segments, width, indexIn(choices, chosen), [&](std::size_t i) {
         item(fmt::format("objects:{}={}", name, rowOf(choices[i]).name), codeOf(callOf(choices[i])));
@@ -77,10 +77,10 @@ void lightItem(bool changed, std::string_view name) {
 
 /// In the order of Sampled.
 constexpr std::array<Sentence::Key<Name>, 4> sampledRemarks{
-    "Object {0} is bound, texturing is off",
-    "Object {0} has no image: untextured",
-    "Object {0} lacks mipmaps: untextured",
-    "Object {0} is drawn",
+    N_("Object {0} is bound, texturing is off"),
+    N_("Object {0} has no image: untextured"),
+    N_("Object {0} lacks mipmaps: untextured"),
+    N_("Object {0} is drawn"),
 };
 
 /// The start of a unit's line to its object, and the end at the object's row.
@@ -230,7 +230,7 @@ void drawObjects(const Session& session, const TextureObjectsState& state, float
     ImGui::TableSetupColumn("wrap", stretched, 1);
     ImGui::TableSetupColumn("calls", fixed, 2 * ImGui::GetFrameHeight() + 2);
     ImGui::TableNextRow();
-    for (const char* heading : {"Object", "Image", "Mag", "Min", "Wrap"}) {
+    for (const char* heading : {N_("Object"), N_("Image"), N_("Mag"), N_("Min"), N_("Wrap")}) {
         ImGui::TableNextColumn();
         plotText(ImGui::GetCursorScreenPos(), {0, 0},
                  fitted(heading, ImGui::GetContentRegionAvail().x * 1.15F), color::dim);
@@ -287,7 +287,7 @@ void drawLog(const TextureObjectsState& state, ImVec2 size) {
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
     if (state.log.empty())
-        dimWrappedText("The calls appear here, newest first.");
+        dimWrappedText(N_("The calls appear here, newest first."));
     ImGui::EndChild();
 }
 
@@ -318,7 +318,7 @@ void drawProgram(TextureObjectsState& state, Wanted& wanted) {
         fittedText(program[state.played - 1].remark, color::text);
     else
         fittedText(
-            "Each button is a call. Binding switches the state of the object; the state of the unit stays.",
+            N_("Each button is a call. Binding switches the state of the object; the state of the unit stays."),
             color::dim);
 }
 
@@ -332,7 +332,7 @@ void drawParameters(const Session& session, const TextureObjectsState& state, Wa
     };
     ImGui::AlignTextToFramePadding();
     text(Sentence("To object {0}:", state.names.activeUnit().bound));
-    group("Image", 3 * ImGui::GetFrameHeight());
+    group(N_("Image"), 3 * ImGui::GetFrameHeight());
     for (std::size_t i = 0; i < boards.size(); ++i) {
         if (i > 0)
             ImGui::SameLine(0, 3);
@@ -348,13 +348,13 @@ void drawParameters(const Session& session, const TextureObjectsState& state, Wa
     constexpr std::array magnify{MagFilter::Nearest, MagFilter::Linear};
     constexpr std::array minify{MinFilter::Nearest, MinFilter::Linear, MinFilter::NearestMipmapLinear};
     constexpr std::array wraps{Wrap::Repeat, Wrap::Clamp};
-    group("Mag filter", em * 7.5F);
+    group(N_("Mag filter"), em * 7.5F);
     enumCalls<MagFilter>(session, "mag", magnify, object.state.magFilter, em * 7.5F, wanted,
                          [](MagFilter filter) { return objects::setParameter(filter); });
-    group("Min filter", em * 14.5F);
+    group(N_("Min filter"), em * 14.5F);
     enumCalls<MinFilter>(session, "min", minify, object.state.minFilter, em * 14.5F, wanted,
                          [](MinFilter filter) { return objects::setParameter(filter); });
-    group("Wrap s", em * 7.5F);
+    group(N_("Wrap s"), em * 7.5F);
     enumCalls<Wrap>(session, "wrap", wraps, object.state.wrapS, em * 7.5F, wanted,
                     [](Wrap wrap) { return objects::setWrapS(wrap); });
 }

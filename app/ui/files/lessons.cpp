@@ -9,8 +9,6 @@
 #include "app/ui/state/lesson_records.h"
 #include "texplorer/reference/false_colors.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -339,7 +337,8 @@ void answerQuestion(Session& session, std::size_t answer) {
         return;
     const lesson::LessonScene scene =
         withEdits(run.start, predict->answers[answer].edits).value_or(run.start);
-    submit(session, {.name = "Answer", .edits = {edit::Replace{std::make_shared<const Scene>(scene.scene)}}});
+    submit(session,
+           {.name = N_("Answer"), .edits = {edit::Replace{std::make_shared<const Scene>(scene.scene)}}});
 }
 
 void followLesson(Session& session, const LessonPlace& place) {

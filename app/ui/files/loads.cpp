@@ -79,7 +79,7 @@ void cancelLoad(Session& session, Files::Ticket ticket) {
     session.services.files->cancel(ticket);
     if (ticket == session.look.fileView.ticket) {
         session.look.fileView.ticket = 0;
-        session.look.fileView.problem = "Reading was cancelled.";
+        session.look.fileView.problem = N_("Reading was cancelled.");
     }
     cancelThose(session, [&](const Load& load) { return load.waits.contains(ticket); });
 }

@@ -10,7 +10,7 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr Sentence::Key<Sentence> programFailure("The program can't be written: {0}.");
+constexpr Sentence::Key<Sentence> programFailure(N_("The program can't be written: {0}."));
 
 std::string stemOf(const Document& document) {
     const std::filesystem::path& named = document.file.empty() ? document.suggested : document.file;
@@ -45,7 +45,7 @@ std::string programFileName(const Document& document, emit::Flavour flavour) {
 
 std::optional<emit::ProgramWorker::Program> programNow(Session& session, emit::Flavour flavour) {
     const Document& document = session.document;
-    const emit::ProgramOptions options{.title = "Texplorer",
+    const emit::ProgramOptions options{.title = N_("Texplorer"),
                                        .fileName = [](const std::string& file) { return file; }};
     return session.services.programs->program(flavour, document.scene, document.images, options);
 }

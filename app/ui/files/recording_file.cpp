@@ -56,7 +56,7 @@ std::size_t Recording::pictures() const {
 FileOrder fileOrder(Recording recording, std::filesystem::path file) {
     const std::size_t pictures = recording.pictures();
     return {
-        std::move(file), "The animation can't be written: {0}.", pictures,
+        std::move(file), N_("The animation can't be written: {0}."), pictures,
         [recording = std::move(recording)](const FileMaking& making) { return madeOf(recording, making); }};
 }
 

@@ -42,7 +42,7 @@ void replaceByFile(Session& session, Load load) {
     document.kept = std::move(session.document.kept);
     document.history = std::move(session.document.history);
     document.history.seal();
-    document.history.record(document.scene, "Reload the file");
+    document.history.record(document.scene, N_("Reload the file"));
     document.history.seal();
     exchangeDocument(session, std::move(document));
 }

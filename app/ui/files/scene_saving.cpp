@@ -9,8 +9,6 @@
 #include "texplorer/scene/storage/scene_file.h"
 #include "texplorer/suite/hash.h"
 
-#include <fmt/core.h>
-
 #include <memory>
 #include <utility>
 
@@ -136,7 +134,7 @@ Result<Saving> saveScene(Session& session, const fs::path& path,
     if (scene != document.scene) {
         document.scene = scene;
         document.history.seal();
-        document.history.record(scene, "Save elsewhere");
+        document.history.record(scene, N_("Save elsewhere"));
         showPresent(session);
     }
     document.saved = scene;

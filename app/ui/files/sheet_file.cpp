@@ -103,7 +103,7 @@ Result<SheetOrder> sheetOrder(const Session& session) {
     const Document& document = session.document;
     std::vector<sheet::AxisLabels> labels = sheet::labelsOf(document.scene, *axes, choice.labels);
     const std::string name = nameOf(document);
-    sheet::Content content{.title = name.empty() ? "Default scene" : printable(name)};
+    sheet::Content content{.title = name.empty() ? N_("Default scene") : printable(name)};
     content.cell = {choice.width, choice.height};
     content.down = std::move(labels[0]);
     content.across = std::move(labels[1]);
@@ -121,7 +121,7 @@ std::string sheetFileName(const Document& document) {
 Result<FileOrder> fileOrder(SheetOrder sheet, std::filesystem::path file) {
     return letteredSheet(sheet.content).map([&](LetteredSheet on) {
         const std::size_t pictures = on.layout.cells.size();
-        return FileOrder{std::move(file), "The sheet can't be written: {0}.", pictures,
+        return FileOrder{std::move(file), N_("The sheet can't be written: {0}."), pictures,
                          [order = std::move(sheet), lettered = std::move(on)](const FileMaking& making) {
                              return madeOf(order, lettered, making);
                          }};

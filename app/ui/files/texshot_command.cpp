@@ -92,39 +92,42 @@ std::string withOutput(const std::string& command, view::Size picture, const std
 } // namespace
 
 Result<std::string> texshotCommand(const Session& session, view::Size picture) {
-    return sceneCommand("texshot shot", session, session.look.playback.time).map([&](std::string command) {
-        if (session.view.renderer == RendererKind::Reference)
-            command += referenceWords(session.view);
-        else if (session.view.renderer != RendererKind::Fixed)
-            command += fmt::format(" --renderer {}", rowOf(session.view.renderer).name);
-        return withOutput(command, picture, fileNameOf(session.document, ".png"));
-    });
+    return sceneCommand(N_("texshot shot"), session, session.look.playback.time)
+        .map([&](std::string command) {
+            if (session.view.renderer == RendererKind::Reference)
+                command += referenceWords(session.view);
+            else if (session.view.renderer != RendererKind::Fixed)
+                command += fmt::format(" --renderer {}", rowOf(session.view.renderer).name);
+            return withOutput(command, picture, fileNameOf(session.document, ".png"));
+        });
 }
 
 Result<std::string> sweepCommand(const Session& session) {
     if (const Result<SheetOrder> order = sheetOrder(session); !order)
         return fail(order.error());
-    return sceneCommand("texshot sweep", session, session.look.playback.time).map([&](std::string command) {
-        const SheetChoice& choice = session.sheet;
-        for (const SheetAxis& axis : axesOf(session))
-            command += " --axis " + shellWord(axis.path + '=' + axis.values);
-        command += referenceWords(session.view);
-        if (choice.labels != sheet::LabelKind::Names)
-            command += fmt::format(" --labels {}", texplorer::rowOf(choice.labels).name);
-        return withOutput(command, {choice.width, choice.height}, sheetFileName(session.document));
-    });
+    return sceneCommand(N_("texshot sweep"), session, session.look.playback.time)
+        .map([&](std::string command) {
+            const SheetChoice& choice = session.sheet;
+            for (const SheetAxis& axis : axesOf(session))
+                command += " --axis " + shellWord(axis.path + '=' + axis.values);
+            command += referenceWords(session.view);
+            if (choice.labels != sheet::LabelKind::Names)
+                command += fmt::format(" --labels {}", texplorer::rowOf(choice.labels).name);
+            return withOutput(command, {choice.width, choice.height}, sheetFileName(session.document));
+        });
 }
 
 Result<std::string> animateCommand(const Session& session) {
     const Result<Recording> recording = recordingOf(session);
     if (!recording)
         return fail(recording.error());
-    return sceneCommand("texshot animate", session, recording->picture.time).map([&](std::string command) {
-        const RecordingChoice& choice = session.recording;
-        command += fmt::format(" --fps {} --seconds {}", choice.perSecond, recordedSeconds(session)) +
-                   referenceWords(session.view);
-        return withOutput(command, {choice.width, choice.height}, recordingFileName(session));
-    });
+    return sceneCommand(N_("texshot animate"), session, recording->picture.time)
+        .map([&](std::string command) {
+            const RecordingChoice& choice = session.recording;
+            command += fmt::format(" --fps {} --seconds {}", choice.perSecond, recordedSeconds(session)) +
+                       referenceWords(session.view);
+            return withOutput(command, {choice.width, choice.height}, recordingFileName(session));
+        });
 }
 
 } // namespace texplorer::ui

@@ -3,8 +3,6 @@
 #include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 namespace texplorer::ui {

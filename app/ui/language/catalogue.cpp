@@ -66,13 +66,11 @@ std::string textIn(const Catalogue* catalogue, const Sentence& english) {
 Result<std::unique_ptr<const Catalogue>> catalogueOf(Language language) {
     if (language == Language::System || language == Language::English)
         return nullptr;
-    std::vector<CatalogueFile> files;
-    const std::string folder = std::string(rowOf(language).name) + "/";
-    std::ranges::copy_if(catalogueFiles(), std::back_inserter(files),
-                         [&](const CatalogueFile& file) { return file.name.starts_with(folder); });
-    return Catalogue::parse(language, files).map([](Catalogue catalogue) {
-        return std::unique_ptr<const Catalogue>(std::make_unique<Catalogue>(std::move(catalogue)));
-    });
+    const auto file = std::ranges::find(catalogueFiles(), catalogueFileOf(language), &CatalogueFile::name);
+    return Catalogue::parse(language, std::span(file, file == catalogueFiles().end() ? 0 : 1))
+        .map([](Catalogue catalogue) {
+            return std::unique_ptr<const Catalogue>(std::make_unique<Catalogue>(std::move(catalogue)));
+        });
 }
 
 std::set<std::string> Catalogue::keys() const {
@@ -89,7 +87,7 @@ const std::string* Catalogue::find(std::string_view english) const {
 
 std::string Catalogue::translate(const Sentence& sentence,
                                  const std::function<void(std::string_view)>& gap) const {
-    if (sentence.isName() || sentence.number())
+    if (sentence.isName() || sentence.isNumber())
         return sentence.english();
     if (sentence.key().empty()) {
         const std::string* text = find(sentence.english());

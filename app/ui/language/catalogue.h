@@ -14,7 +14,7 @@
 
 namespace texplorer::ui {
 
-/// A file of assets/translations, compiled in: "ru/window.po".
+/// A file of assets/translations, compiled in: "ru.po".
 struct CatalogueFile {
     std::string_view name;
     std::string_view text;

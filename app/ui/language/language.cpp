@@ -9,6 +9,10 @@ const LanguageRow& rowOf(Language language) {
     return *std::ranges::find(languageRows, language, &LanguageRow::language);
 }
 
+std::string catalogueFileOf(Language language) {
+    return std::string(rowOf(language).name) + ".po";
+}
+
 Language languageOfLocale(std::string_view locale) {
     const std::string_view language = locale.substr(0, locale.find_first_of("_.-@:"));
     const auto isOfIt = [language](const LanguageRow& row) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "texplorer/base/translatable.h"
+
 #include <array>
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace texplorer::ui {
@@ -10,7 +13,7 @@ enum class Language { System, English, Chinese, Russian };
 
 struct LanguageRow {
     Language language;
-    std::string_view name; ///< the folder of its catalogues; its name in the settings file and for --language
+    std::string_view name; ///< its catalogue without ".po"; its name in the settings file and for --language
     const char* label;     ///< in letters of the default font
     /// The index of gettext's plural form for a number.
     std::size_t (*form)(unsigned long number);
@@ -34,13 +37,16 @@ constexpr std::size_t slavic(unsigned long number) {
 } // namespace plural
 
 inline constexpr std::array languageRows{
-    LanguageRow{Language::System, "system", "Like the system", plural::oneAndMore},
-    LanguageRow{Language::English, "en", "English", plural::oneAndMore},
-    LanguageRow{Language::Chinese, "zh_CN", "Chinese (Zhongwen)", plural::one},
-    LanguageRow{Language::Russian, "ru", "Русский (Russian)", plural::slavic},
+    LanguageRow{Language::System, "system", N_("Like the system"), plural::oneAndMore},
+    LanguageRow{Language::English, "en", N_("English"), plural::oneAndMore},
+    LanguageRow{Language::Chinese, "zh_CN", N_("Chinese (Zhongwen)"), plural::one},
+    LanguageRow{Language::Russian, "ru", N_("Русский (Russian)"), plural::slavic},
 };
 
 [[nodiscard]] const LanguageRow& rowOf(Language language);
+
+/// The name of a catalogue's file, in the folder of a lesson, too: "zh_CN.po".
+[[nodiscard]] std::string catalogueFileOf(Language language);
 
 /// The language of a locale's name, "zh_CN.UTF-8", "ru" or "zh-Hans"; English where it is another one or
 /// none.

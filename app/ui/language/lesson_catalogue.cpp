@@ -5,10 +5,6 @@
 
 namespace texplorer::ui {
 
-std::string catalogueFileOf(Language language) {
-    return std::string(rowOf(language).name) + ".po";
-}
-
 Result<std::shared_ptr<const Catalogue>> readLessonCatalogue(const lesson::LessonFolder& folder,
                                                              Language language) {
     const std::string file = catalogueFileOf(language);

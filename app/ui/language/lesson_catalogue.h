@@ -8,9 +8,6 @@
 
 namespace texplorer::ui {
 
-/// The name of a lesson's catalogue file in its folder: "zh_CN.po".
-[[nodiscard]] std::string catalogueFileOf(Language language);
-
 /// The texts of a lesson in a language; nullptr if it has none, or for English. Errors: those of
 /// LessonFolder::read and Catalogue::parse.
 [[nodiscard]] Result<std::shared_ptr<const Catalogue>> readLessonCatalogue(const lesson::LessonFolder& folder,

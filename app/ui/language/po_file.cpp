@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace texplorer::ui {
@@ -26,6 +27,16 @@ std::optional<std::string> quoted(std::string_view line) {
         text += line[i] == 'n' ? '\n' : line[i] == 't' ? '\t' : line[i];
     }
     return text;
+}
+
+std::string inPoQuotes(std::string_view text) {
+    std::string quoted;
+    for (const char each : text) {
+        if (each == '"' || each == '\\' || each == '\n' || each == '\t')
+            quoted += '\\';
+        quoted += each == '\n' ? 'n' : each == '\t' ? 't' : each;
+    }
+    return '"' + quoted + '"';
 }
 
 } // namespace
@@ -66,6 +77,19 @@ Result<std::vector<PoEntry>> readPoFile(std::string_view text, std::string_view 
         *last += *words;
     }
     return entries;
+}
+
+std::string poTemplate(std::span<const std::string> texts, std::string_view source) {
+    std::string written = "msgid \"\"\nmsgstr \"\"\n\"Content-Type: text/plain; charset=UTF-8\\n\"\n";
+    std::set<std::string_view> known{""};
+    for (const std::string& text : texts) {
+        if (!known.insert(text).second)
+            continue;
+        // gettext's tools compare the placeholders, "{color}", of a text and its translation.
+        const std::string_view flag = text.find('{') == std::string::npos ? "" : "#, python-brace-format\n";
+        written += fmt::format("\n#: {}\n{}msgid {}\nmsgstr \"\"\n", source, flag, inPoQuotes(text));
+    }
+    return written;
 }
 
 } // namespace texplorer::ui

@@ -3,6 +3,7 @@
 #include "texplorer/base/result.h"
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,5 +24,9 @@ struct PoEntry {
 /// Reads the entries of a .po file, the header's included. `name` is the file's for errors. Fails for a line
 /// that is no comment and no part of an entry.
 [[nodiscard]] Result<std::vector<PoEntry>> readPoFile(std::string_view text, std::string_view name);
+
+/// Writes a template for translators, a .pot file: an empty entry for each text, in order and each once.
+/// `source` is the file's that has the texts. Texts are without a NUL.
+[[nodiscard]] std::string poTemplate(std::span<const std::string> texts, std::string_view source);
 
 } // namespace texplorer::ui

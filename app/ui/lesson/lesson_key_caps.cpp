@@ -49,7 +49,7 @@ void keyCap(const Session& session, const LessonRun& run, std::size_t number) {
     const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
     ImGui::EndDisabled();
     helpTip(usable ? "A key of this lesson. Press it or click here. It overrides the window's shortcut."
-                   : "A key of this lesson. It has no effect on the scene of this step.");
+                   : N_("A key of this lesson. It has no effect on the scene of this step."));
     const bool held = usable && run.heldKey == number;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 high(low.x + size.x, low.y + size.y);

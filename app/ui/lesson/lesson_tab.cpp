@@ -198,7 +198,7 @@ void drawTask(const Session& session, const LessonRun& run, const Match& match, 
     smallPicture(pictures, run, 0, passed ? color::accent : color::dim);
     noteItem("picture to reach");
     if (passed) {
-        plainWrappedText("● " + tr(std::string("Solved: your picture matches.")), color::accent);
+        plainWrappedText("● " + tr(std::string(N_("Solved: your picture matches."))), color::accent);
         noteItem("reached");
     } else if (run.grade) {
         dimWrappedText(Sentence("{0} % of the pixels still differ.", percentWrong(*run.grade)));
@@ -243,7 +243,7 @@ void stepButtons(const Session& session, const LessonRun& run) {
     ImGui::SameLine();
     const bool atEnd = run.step + 1 == run.lesson.steps.size();
     // A single button, so that it keeps the keyboard focus.
-    const std::string on = tr(std::string(atEnd ? "All lessons" : "Next")) + "###next";
+    const std::string on = tr(std::string(atEnd ? N_("All lessons") : N_("Next"))) + "###next";
     if (ImGui::Button(on.c_str())) {
         if (atEnd)
             act(session, [](Session& s) { closeLesson(s, KeepsTab::Yes); });

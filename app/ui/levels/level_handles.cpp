@@ -166,13 +166,13 @@ void drawLevelHandles(const Session& session, const StripPlace& place) {
     const float beside = ImGui::GetFontSize() * 0.3F;
     drawLevelBar(session, place,
                  {"levels:base",
-                  "GL_TEXTURE_BASE_LEVEL: the first level that is read. Drag it to another level.",
+                  N_("GL_TEXTURE_BASE_LEVEL: the first level that is read. Drag it to another level."),
                   setBaseLevel, place.origin.x + first.left - beside, place.first, place.max, 0});
     drawLevelBar(
         session, place,
         {"levels:max",
-         "GL_TEXTURE_MAX_LEVEL: the last level that is read. Drag it to another level; at the last level "
-         "there is no limit.",
+         N_("GL_TEXTURE_MAX_LEVEL: the last level that is read. Drag it to another level; at the last level "
+            "there is no limit."),
          setMaxLevel, place.origin.x + last.left + last.width + beside, place.base, place.last, noMaxLevel});
 }
 
@@ -180,13 +180,13 @@ void drawLodAxis(const Session& session, const StripPlace& place) {
     const Texture& texture = *boundTexture(session);
     drawLodEnd(session, texture, place,
                {"levels:min lod",
-                "GL_TEXTURE_MIN_LOD: {0}\n"
-                "The lower limit of λ. Drag it; at the end of the strip there is no limit.",
+                N_("GL_TEXTURE_MIN_LOD: {0}\n"
+                   "The lower limit of λ. Drag it; at the end of the strip there is no limit."),
                 true, texture.minLod, noMinLod});
     drawLodEnd(session, texture, place,
                {"levels:max lod",
-                "GL_TEXTURE_MAX_LOD: {0}\n"
-                "The upper limit of λ. Drag it; at the end of the strip there is no limit.",
+                N_("GL_TEXTURE_MAX_LOD: {0}\n"
+                   "The upper limit of λ. Drag it; at the end of the strip there is no limit."),
                 false, texture.maxLod, noMaxLod});
     drawLodRange(session, texture, place);
     drawLodNumbers(place);

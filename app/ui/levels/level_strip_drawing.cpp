@@ -179,9 +179,9 @@ void StripDrawing::cellTip(const ShownLevel& level) const {
     else if (number > max())
         lines.push_back(Sentence("Never read: GL_TEXTURE_MAX_LEVEL is {0}.", texture_.maxLevel));
     lines.emplace_back(texture_.baseLevel == number && texture_.maxLevel == number
-                           ? "Click: read the previous levels again"
-                           : "Click: read only this level (base and max level)");
-    lines.emplace_back("The flag has the colour of this level when Mipmaps is Coloured.");
+                           ? N_("Click: read the previous levels again")
+                           : N_("Click: read only this level (base and max level)"));
+    lines.emplace_back(N_("The flag has the colour of this level when Mipmaps is Coloured."));
     helpTip(Sentence::joined("{0}\n{1}", lines));
 }
 
@@ -298,7 +298,7 @@ void StripDrawing::draw(float below) {
 std::optional<LevelsRequest> requestLevels(const Session& session) {
     if (std::optional<LevelsRequest> request = boundLevels(session))
         return request;
-    wrappedText(boundTexture(session) ? "The image is not loaded." : "No texture is bound to this unit.");
+    wrappedText(boundTexture(session) ? "The image is not loaded." : N_("No texture is bound to this unit."));
     noteItem("levels:none");
     return std::nullopt;
 }

@@ -26,10 +26,10 @@ constexpr Range biasRange{-16, 16, 0.05F, {}};
 void pixelLine(const Session& session, float room) {
     const reference::LevelMap* map = levelMapOf(session);
     const reference::PixelLevels* levels = askedLevels(session);
-    const Sentence words = !map                  ? "No pixel reads a level"
+    const Sentence words = !map                  ? N_("No pixel reads a level")
                            : levels              ? reference::levelsText(*map, *levels)
-                           : askedPixel(session) ? "This pixel reads no level"
-                                                 : "Point at a pixel of the view";
+                           : askedPixel(session) ? N_("This pixel reads no level")
+                                                 : N_("Point at a pixel of the view");
     const std::string shown = fitted(words, room);
     ImGui::AlignTextToFramePadding();
     plainText(shown, levels ? color::probed : color::dim);
@@ -57,7 +57,7 @@ Sentence remark(const Session& session, const Texture& texture, const Unit& unit
     if (texture.baseLevel == texture.maxLevel && levels.size() > 1)
         return Sentence("Only level {0} is read, for any λ.", texture.baseLevel);
     if (levels.size() == 1)
-        return "There is only the base level: minified pixels have no smaller level to read.";
+        return N_("There is only the base level: minified pixels have no smaller level to read.");
     if (!reference::wantsMipmaps(texture.minFilter))
         return Sentence("The minification filter {0} reads only the base level, for any λ.",
                         ProperName{rowOf(texture.minFilter).name});
@@ -126,10 +126,10 @@ void biasLine(const Session& session, const Texture& texture, const Unit& unit) 
         readAllLevels(session);
     ImGui::EndDisabled();
     item("levels:all",
-         limited ? "Resets base and max level, the limits of λ and both biases to OpenGL's initial "
-                   "values"
-                 : "All levels may be read: base and max level, the limits of λ and both biases have "
-                   "OpenGL's initial values.");
+         limited ? N_("Resets base and max level, the limits of λ and both biases to OpenGL's initial "
+                      "values")
+                 : N_("All levels may be read: base and max level, the limits of λ and both biases have "
+                      "OpenGL's initial values."));
 }
 
 void drawSummary(const Session& session, LevelsTabState& state, const Pictures& pictures,

@@ -34,7 +34,7 @@ std::vector<Sentence> sentencesOf(const Session& session, const Pictures& pictur
             sentences.push_back(sentence);
     };
     for (const Sentence& problem : pictures.problems) {
-        if (problem.key() == "{0}: {1}" && problem.arguments()[0] == where)
+        if (problem.key() == N_("{0}: {1}") && problem.arguments()[0] == where)
             add(problem.arguments()[1]);
     }
     if (summary) {
@@ -83,12 +83,12 @@ void drawSum(const Texture& texture, const LevelsSummary& summary) {
         item(name, help);
     };
     fact(Sentence("{0:.3f} × base", report.ratioToBase), "memory:ratio",
-         "Each level of an image has a quarter of the texels of the level before, so a full chain has "
-         "about 4/3 of its base level.");
+         N_("Each level of an image has a quarter of the texels of the level before, so a full chain has "
+            "about 4/3 of its base level."));
     fact(Sentence("{0:.1f} % of RGBA8", 100 * report.shareOfRgba8), "memory:rgba8",
-         "The share of the memory of the same levels with four bytes a texel");
+         N_("The share of the memory of the same levels with four bytes a texel"));
     fact(Sentence("{0:.1f} % of RGB8", 100 * report.shareOfRgb8), "memory:rgb8",
-         "The share of the memory of the same levels with three bytes a texel");
+         N_("The share of the memory of the same levels with three bytes a texel"));
 }
 
 /// The next item, with this text, is at the right edge of its column.
@@ -131,7 +131,7 @@ void drawLevels(const LevelsSummary& summary, Target target) {
     if (!ImGui::BeginTable("levels", measured ? 4 : 3, flags))
         return;
     ImGui::TableSetupScrollFreeze(0, 1);
-    constexpr std::array names{"Level", "Texels", "Bytes", "PSNR"};
+    constexpr std::array names{N_("Level"), N_("Texels"), N_("Bytes"), "PSNR"};
     ImGui::TableSetupColumn(names[0], ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize(tr(names[0])).x);
     ImGui::TableSetupColumn(names[1], ImGuiTableColumnFlags_WidthStretch, 1.2F);
     ImGui::TableSetupColumn(names[2], ImGuiTableColumnFlags_WidthStretch, 1.2F);

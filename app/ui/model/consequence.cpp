@@ -71,7 +71,7 @@ std::string_view signOf(CompareFunc function) {
 Sentence alphaFailedText(const reference::TestExplanation<float>& test) {
     const std::string_view sign = signOf(test.function);
     if (sign.empty())
-        return "The alpha test drops the fragment: nothing passes GL_NEVER";
+        return N_("The alpha test drops the fragment: nothing passes GL_NEVER");
     // Compared are bytes: two alphas may be one there.
     const bool needsBytes = reference::passes<float>(test.function, test.value, test.with);
     const auto shown = [&](float alpha) {
@@ -85,7 +85,7 @@ Sentence alphaFailedText(const reference::TestExplanation<float>& test) {
 Sentence depthFailedText(const reference::TestExplanation<std::uint32_t>& test) {
     const std::string_view sign = signOf(test.function);
     if (sign.empty())
-        return "The depth test drops the fragment: nothing passes GL_NEVER";
+        return N_("The depth test drops the fragment: nothing passes GL_NEVER");
     const auto shown = [](std::uint32_t depth) {
         return reference::numberText(static_cast<float>(depth) / 16777215.0F); // 24 bits
     };
@@ -100,7 +100,7 @@ Sentence nothingDrawnText(const reference::Explanation& explanation) {
     const auto closest =
         std::ranges::min_element(explanation.fragments, {}, &reference::FragmentExplanation::depth);
     if (closest == explanation.fragments.end())
-        return "The background: nothing is drawn at this pixel";
+        return N_("The background: nothing is drawn at this pixel");
     return closest->outcome == reference::FragmentOutcome::FailedAlphaTest
                ? alphaFailedText(closest->alphaTest)
                : depthFailedText(closest->depthTest);
@@ -113,7 +113,7 @@ Sentence consequenceOf(const UnitExplanation& unit) {
     std::vector<LevelShare> levels = unit.sample.levels;
     std::erase_if(levels, [](const LevelShare& share) { return share.weight <= 0; });
     if (levels.empty() || !std::isfinite(lod.rho) || lod.rho <= 0)
-        return "The level of detail is undefined here";
+        return N_("The level of detail is undefined here");
     if (lod.magnified)
         return magnifiedText(unit, {timesText(1 / lod.rho)});
     const std::string factor = timesText(lod.rho);
@@ -142,7 +142,7 @@ Sentence consequenceOf(const Session& session) {
     if (!seen)
         return nothingDrawnText(*explanation);
     if (seen->units.empty())
-        return "No texture is applied at this pixel";
+        return N_("No texture is applied at this pixel");
     return consequenceOf(seen->units.front());
 }
 
@@ -150,8 +150,8 @@ Sentence stateOf(const Document& document) {
     const Sentence edit = document.history.undoName();
     const std::string name = document.file.filename().string();
     if (!isDirty(document))
-        return name.empty() ? "Nothing to save yet" : Sentence("{0} is saved", ProperName{name});
-    return edit.empty() ? "Not saved" : Sentence("Changed last: {0} · not saved", edit);
+        return name.empty() ? N_("Nothing to save yet") : Sentence("{0} is saved", ProperName{name});
+    return edit.empty() ? N_("Not saved") : Sentence("Changed last: {0} · not saved", edit);
 }
 
 } // namespace texplorer::ui

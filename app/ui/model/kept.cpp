@@ -128,7 +128,7 @@ void takeFromKept(const Session& session, const SceneChange& change) {
 
 void takeAllFromKept(const Session& session) {
     if (session.document.kept.scene)
-        take(session, "All of A", {});
+        take(session, N_("All of A"), {});
 }
 
 } // namespace texplorer::ui

@@ -63,35 +63,35 @@ void toggleForced(Session& session, int level) {
         forced->level = level;
     else
         forced = {selectedUnit(session).texture, level, texture->baseLevel, texture->maxLevel};
-    submit(session, isForced ? "Read the previous levels" : Sentence("Read level {0} alone", level),
+    submit(session, isForced ? N_("Read the previous levels") : Sentence("Read level {0} alone", level),
            [levels, index = selectedUnit(session).texture](Scene& scene) {
                std::tie(textureIn(scene, index).baseLevel, textureIn(scene, index).maxLevel) = levels;
            });
 }
 
 void setBaseLevel(const Session& session, int level) {
-    setOfTexture<&Texture::baseLevel>(session, level, "Set base level");
+    setOfTexture<&Texture::baseLevel>(session, level, N_("Set base level"));
 }
 
 void setMaxLevel(const Session& session, int level) {
-    setOfTexture<&Texture::maxLevel>(session, level, "Set max level");
+    setOfTexture<&Texture::maxLevel>(session, level, N_("Set max level"));
 }
 
 void setMinLod(const Session& session, float lod) {
-    setOfTexture<&Texture::minLod>(session, lod, "Set min LOD");
+    setOfTexture<&Texture::minLod>(session, lod, N_("Set min LOD"));
 }
 
 void setMaxLod(const Session& session, float lod) {
-    setOfTexture<&Texture::maxLod>(session, lod, "Set max LOD");
+    setOfTexture<&Texture::maxLod>(session, lod, N_("Set max LOD"));
 }
 
 void setTextureBias(const Session& session, float bias) {
-    setOfTexture<&Texture::lodBias>(session, bias, "Set LOD bias");
+    setOfTexture<&Texture::lodBias>(session, bias, N_("Set LOD bias"));
 }
 
 void setUnitBias(const Session& session, float bias) {
     if (selectedUnit(session).lodBias != bias)
-        drag(session, "Set LOD bias of the unit",
+        drag(session, N_("Set LOD bias of the unit"),
              fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::lodBias>()), formatNumber(bias));
 }
 

@@ -90,9 +90,10 @@ void sealEdit(const Session& session) {
 }
 
 void resetToSaved(const Session& session) {
-    submit(session, {.name = session.document.file.empty() ? "Reset to the start" : "Reset to the file",
-                     .edits = {edit::Replace{std::make_shared<const Scene>(session.document.saved)}},
-                     .select = session.look.selection});
+    submit(session,
+           {.name = session.document.file.empty() ? N_("Reset to the start") : N_("Reset to the file"),
+            .edits = {edit::Replace{std::make_shared<const Scene>(session.document.saved)}},
+            .select = session.look.selection});
 }
 
 const Scene& presentScene(const Session& session) {

@@ -27,26 +27,27 @@ std::string namesOf(const Enums& values) {
 
 const std::array<SheetPair, 4>& sheetPairs() {
     static const std::array<SheetPair, 4> pairs{
-        SheetPair{"filters", "Filter laboratory", "Minification: six filters, with one to sixteen samples.",
-                  [](const Session& session) {
-                      return SheetAxes{
-                          SheetAxis{boundTexturePath(session, keyOf<&Texture::maxAnisotropy>()),
-                                    "1,2,4,8,16"},
-                          SheetAxis{boundTexturePath(session, keyOf<&Texture::minFilter>()), "*"}};
-                  }},
-        SheetPair{"magnification", "Both filters", "The magnification and the minification filter.",
+        SheetPair{
+            "filters", N_("Filter laboratory"), N_("Minification: six filters, with one to sixteen samples."),
+            [](const Session& session) {
+                return SheetAxes{
+                    SheetAxis{boundTexturePath(session, keyOf<&Texture::maxAnisotropy>()), "1,2,4,8,16"},
+                    SheetAxis{boundTexturePath(session, keyOf<&Texture::minFilter>()), "*"}};
+            }},
+        SheetPair{"magnification", N_("Both filters"), N_("The magnification and the minification filter."),
                   [](const Session& session) {
                       return SheetAxes{
                           SheetAxis{boundTexturePath(session, keyOf<&Texture::magFilter>()), "*"},
                           SheetAxis{boundTexturePath(session, keyOf<&Texture::minFilter>()), "*"}};
                   }},
-        SheetPair{"wraps", "Both wraps", "What is shown beyond the image's edges, in both directions.",
+        SheetPair{"wraps", N_("Both wraps"),
+                  N_("What is shown beyond the image's edges, in both directions."),
                   [](const Session& session) {
                       return SheetAxes{SheetAxis{boundTexturePath(session, keyOf<&Texture::wrapT>()), "*"},
                                        SheetAxis{boundTexturePath(session, keyOf<&Texture::wrapS>()), "*"}};
                   }},
-        SheetPair{"environments", "Environments",
-                  "How the unit combines fragment and texel, for each base format.",
+        SheetPair{"environments", N_("Environments"),
+                  N_("How the unit combines fragment and texel, for each base format."),
                   [](const Session& session) {
                       return SheetAxes{SheetAxis{selectedUnitPath(session) + "." + keyOf<&Unit::envMode>(),
                                                  namesOf(reference::tableModes)},

@@ -7,8 +7,6 @@
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/scene/params/scene_at.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -108,7 +106,7 @@ bool moveKey(const Session& session, std::size_t key, float time) {
     if (key >= keys.size() || keys[key].time == wanted)
         return false;
     submitDrag(
-        session, "Move key frame", [&](Scene& scene) { scene.timeline.keys[key].time = wanted; },
+        session, N_("Move key frame"), [&](Scene& scene) { scene.timeline.keys[key].time = wanted; },
         keys[key].path);
     return true;
 }

@@ -18,7 +18,7 @@ void offerAnisotropy(const Session& session, const ParamRow& row, const std::str
                      bool isChosen) {
     const std::string assignment = fmt::format("{}={}", path, step);
     item(assignment, step == 1
-                         ? "One sample a pixel: no anisotropic filter"
+                         ? N_("One sample a pixel: no anisotropic filter")
                          : Sentence("Up to {0} samples along the longer side of a pixel's footprint", step));
     if (ImGui::IsItemHovered() && !isChosen)
         preview(session, assignment, Sentence("{0}: {1}", row.label, step),
@@ -52,7 +52,7 @@ float maxAnisotropyOf(float driver, const ParamRow& row) {
 void anisotropyLine(const Session& session, const Owner& texture, const ParamRow& row) {
     const bool isIdle = idleReasonOf(session.document.findings, texture.pathOf(row)) != nullptr;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    labelText("Anisotropy", isIdle ? color::dim : color::text);
+    labelText(N_("Anisotropy"), isIdle ? color::dim : color::text);
     helpTip(row.help);
     ImGui::SameLine();
     const std::vector<Segment> segments =

@@ -22,8 +22,8 @@ struct Half {
     std::string_view suffix; ///< "source0" + suffix
 };
 
-constexpr std::array halves{Half{"Colour", "rgb", "rgbScale", "Rgb"},
-                            Half{"Alpha", "alpha", "alphaScale", "Alpha"}};
+constexpr std::array halves{Half{N_("Colour"), "rgb", "rgbScale", N_("Rgb")},
+                            Half{N_("Alpha"), "alpha", "alphaScale", N_("Alpha")}};
 
 const ParamRow& rowNamed(std::string_view key) {
     return *findParam(combineTable(), key); // the test draws every row
@@ -39,7 +39,7 @@ std::string sourceInWords(const Combine& combine, const std::string& key, bool i
     const EnumRow* choice = findRow(row.choices, std::get<EnumValue>(row.read(&combine)).number);
     std::string words(choice ? choice->label : "?");
     if (choice && isFirstUnit && isPrevious(*choice))
-        words = "Primary colour (no unit before)"; // OpenGL 2.1, section 3.8.13
+        words = N_("Primary colour (no unit before)"); // OpenGL 2.1, section 3.8.13
     if (!catalogueInUse() && words.front() >= 'A' && words.front() <= 'Z')
         words.front() = static_cast<char>(words.front() - 'A' + 'a');
     return words;
@@ -77,7 +77,7 @@ std::string inWords(const Combine& combine, const Half& half, std::string_view e
 }
 
 void drawEquation(const Session& session, const Combine& combine, const Half& half) {
-    const bool isAlpha = half.suffix == "Alpha";
+    const bool isAlpha = half.suffix == N_("Alpha");
     if (isAlpha && combine.rgb == CombineRgb::Dot3Rgba) {
         wrappedText(Sentence("= the dot product of the colours: {0} overrides the rows below except the "
                              "scale.",
@@ -107,7 +107,7 @@ void drawHalf(const Session& session, const Owner& owner, const Half& half) {
     const auto& combine = *static_cast<const Combine*>(owner.values);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float full = ImGui::GetContentRegionAvail().x;
-    const float name = std::max(textWidth("Colour"), textWidth("Alpha")) + 2 * gap;
+    const float name = std::max(textWidth(N_("Colour")), textWidth(N_("Alpha"))) + 2 * gap;
     const float left = ImGui::GetCursorPosX();
     const float scale = ImGui::GetFontSize() * 3;
     const float times = ImGui::CalcTextSize("×").x;
@@ -124,7 +124,7 @@ void drawHalf(const Session& session, const Owner& owner, const Half& half) {
     // The operands are short: the sources get the rest, because their names must fit into a narrow panel.
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         {ImGui::GetFontSize() * 0.25F, ImGui::GetStyle().FramePadding.y});
-    const float argument = ImGui::CalcTextSize("Arg0").x + gap;
+    const float argument = ImGui::CalcTextSize(N_("Arg0")).x + gap;
     float operand = 0; // the same in both halves
     for (const Half& each : halves)
         operand = std::max(operand, widestChoice(rowNamed("operand0" + std::string(each.suffix))));
@@ -150,7 +150,7 @@ void combineSection(const Session& session) {
     owner.labelOf = [&](const ParamRow& row, const EnumRow& choice) {
         const bool isNone =
             session.look.selection.unit == 0 && row.key.starts_with("source") && isPrevious(choice);
-        return std::string(isNone ? "No unit before" : choice.label);
+        return std::string(isNone ? N_("No unit before") : choice.label);
     };
     for (const Half& half : halves) {
         if (&half != halves.data())

@@ -26,17 +26,17 @@ void lightButtons(const Session& session) {
         submit(session, words, [&](Scene& scene) { hasRoom = edit(scene); });
         if (!hasRoom)
             act(session, [](Session& told) {
-                say(told, "Not possible: no more textures or matrix steps can be added.");
+                say(told, N_("Not possible: no more textures or matrix steps can be added."));
             });
     };
-    offer("Slide projector",
-          "Makes the light a slide projector: generates s, t, r and q in eye coordinates and adds the "
-          "projector to the texture matrix.",
+    offer(N_("Slide projector"),
+          N_("Makes the light a slide projector: generates s, t, r and q in eye coordinates and adds the "
+             "projector to the texture matrix."),
           [&](Scene& scene) { return projectFromLight(selectedUnit(scene, selection)); });
     ImGui::SameLine(0, gap);
-    offer("Shadow map",
-          "Multiplies by the light's shadows: adds a depth texture of the light's view, which r is "
-          "compared with.",
+    offer(N_("Shadow map"),
+          N_("Multiplies by the light's shadows: adds a depth texture of the light's view, which r is "
+             "compared with."),
           [&](Scene& scene) {
               return castShadows(scene, static_cast<std::size_t>(selection.pass),
                                  static_cast<std::size_t>(selection.unit));

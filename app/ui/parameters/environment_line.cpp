@@ -80,7 +80,8 @@ EnvironmentSample sampleOf(const Session& session, const Scene& scene, const Pas
 
 Sentence numbersOf(glm::vec4 color) {
     const auto number = [](float value) { return Sentence(ProperName{reference::shortNumber(value)}); };
-    return {"({0}, {1}, {2}), alpha {3}", number(color.r), number(color.g), number(color.b), number(color.a)};
+    return {N_("({0}, {1}, {2}), alpha {3}"), number(color.r), number(color.g), number(color.b),
+            number(color.a)};
 }
 
 void equationLine(const reference::Equation& equation, std::string_view name) {
@@ -139,24 +140,25 @@ void environmentLine(const Session& session) {
         glm::vec4 color;
         const char* help;
     };
-    const std::array inputs{Input{"Cp", "Ap", sample.inputs.previous,
-                                  session.look.selection.unit == 0
-                                      ? "Cp: the fragment's colour from lighting or glColor"
-                                      : "Cp: the result of the units before this one"},
-                            Input{"Cs", "As", sample.inputs.source,
-                                  sample.probed ? "Cs: the texture's colour at the explained pixel"
-                                                : "Cs: the texture's colour, here the mean of its image"},
-                            Input{"Cc", "Ac", sample.inputs.constant, "Cc: the environment colour"}};
+    const std::array inputs{
+        Input{N_("Cp"), N_("Ap"), sample.inputs.previous,
+              session.look.selection.unit == 0 ? N_("Cp: the fragment's colour from lighting or glColor")
+                                               : N_("Cp: the result of the units before this one")},
+        Input{N_("Cs"), N_("As"), sample.inputs.source,
+              sample.probed ? N_("Cs: the texture's colour at the explained pixel")
+                            : N_("Cs: the texture's colour, here the mean of its image")},
+        Input{N_("Cc"), N_("Ac"), sample.inputs.constant, N_("Cc: the environment colour")}};
     for (const auto& [name, alpha, color, help] : inputs) {
         swatch(name, color, hasSymbol(sample.equations, name, alpha), help);
         ImGui::SameLine(0, gap);
     }
     dimText("→");
     ImGui::SameLine(0, gap);
-    swatch("Cv", sample.result, true,
-           sample.probed ? "Cv: the result of this unit at the explained pixel"
-                         : "Cv: the result of this unit for glColor and the image's mean. Explain a pixel to "
-                           "use that pixel.");
+    swatch(N_("Cv"), sample.result, true,
+           sample.probed
+               ? N_("Cv: the result of this unit at the explained pixel")
+               : N_("Cv: the result of this unit for glColor and the image's mean. Explain a pixel to "
+                    "use that pixel."));
     if (sample.probed)
         noteItem("environment:probed");
     ImGui::PopID();

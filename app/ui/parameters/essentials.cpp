@@ -4,9 +4,9 @@
 #include "app/ui/state/pinned.h"
 #include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/param_names.h"
+#include "texplorer/base/translatable.h"
 #include "texplorer/scene/params/keys.h"
 #include "texplorer/scene/tex_coords.h"
-#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 
@@ -35,7 +35,7 @@ void vertexNumbers(const Session& session, float width) {
     const std::size_t vertex = *selection.vertex;
     const Mesh& mesh = selectedMesh(session);
     glm::vec4 value = effectiveTexCoord(*selectedModel(session), mesh, selection.unit, vertex);
-    constexpr std::array names{"vertex s", "vertex t"};
+    constexpr std::array names{N_("vertex s"), N_("vertex t")};
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     for (int i = 0; i < 2; ++i) {
         ImGui::PushID(i);
@@ -54,8 +54,8 @@ void vertexNumbers(const Session& session, float width) {
         sealAfterItem(session);
         helpTip(i == 0 ? "The vertex's s: 0 is the left edge of the image, 1 the right edge. Drag it, or "
                          "double-click to type a number."
-                       : "The vertex's t: 0 is the lower edge of the image, 1 the upper edge. Drag it, or "
-                         "double-click to type a number.");
+                       : N_("The vertex's t: 0 is the lower edge of the image, 1 the upper edge. Drag it, or "
+                            "double-click to type a number."));
         ImGui::PopID();
         if (i == 0)
             ImGui::SameLine(0, gap);
@@ -67,12 +67,12 @@ void vertexLine(const Session& session) {
     const std::size_t count = selectedMesh(session).vertices.size();
     const std::optional<std::size_t> vertex = session.look.selection.vertex;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    labelText("Vertex", vertex ? color::chosen : color::text);
+    labelText(N_("Vertex"), vertex ? color::chosen : color::text);
     if (model && count > 0)
         helpTip(Sentence("Vertex 0 to {0} of model {1} ({2})", count - 1, session.look.selection.model,
                          shownNameOf(*model)));
     ImGui::SameLine(0, gap);
-    if (squareButton("◀", "previous vertex", "The previous vertex", count > 0))
+    if (squareButton("◀", N_("previous vertex"), "The previous vertex", count > 0))
         stepVertex(session, false);
     ImGui::SameLine(0, gap / 2);
     if (vertex) {
@@ -81,11 +81,11 @@ void vertexLine(const Session& session) {
         noteItem("vertex number");
         ImGui::SameLine(0, gap / 2);
     }
-    if (squareButton("▶", "next vertex", "The next vertex", count > 0))
+    if (squareButton("▶", N_("next vertex"), "The next vertex", count > 0))
         stepVertex(session, true);
     ImGui::SameLine(0, gap);
     if (!vertex || count == 0) {
-        constexpr const char* how = "Click a vertex in either view.";
+        constexpr const char* how = N_("Click a vertex in either view.");
         const float room = ImGui::GetContentRegionAvail().x;
         if (wrappedSize(tr(how), room).y > ImGui::GetFontSize() * 2.5F)
             ImGui::NewLine(); // instead of a word or a letter in each line
@@ -131,7 +131,7 @@ void captionWithColor(const Session& session, const char* words, const Owner& ow
 
 void wrapBlock(const Session& session, const Owner& owner) {
     const StructTable& table = textureTable();
-    captionWithColor(session, "Wrap", owner, essentialRow(table, keyOf<&Texture::borderColor>()));
+    captionWithColor(session, N_("Wrap"), owner, essentialRow(table, keyOf<&Texture::borderColor>()));
     const std::array rows{&essentialRow(table, keyOf<&Texture::wrapS>()),
                           &essentialRow(table, keyOf<&Texture::wrapT>()),
                           &essentialRow(table, keyOf<&Texture::wrapR>())};
@@ -165,7 +165,7 @@ void textureBlock(const Session& session, const Pictures& pictures) {
 void environmentBlock(const Session& session) {
     const Owner owner = unitOwner(session);
     const StructTable& table = unitTable();
-    captionWithColor(session, "Environment", owner, essentialRow(table, keyOf<&Unit::envColor>()));
+    captionWithColor(session, N_("Environment"), owner, essentialRow(table, keyOf<&Unit::envColor>()));
     paramControl(session, owner, essentialRow(table, keyOf<&Unit::envMode>()),
                  ImGui::GetContentRegionAvail().x, 3);
     environmentLine(session);
@@ -173,9 +173,9 @@ void environmentBlock(const Session& session) {
 
 void matrixBlock(const Session& session) {
     const std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
-    labelText("Texture matrix");
+    labelText(N_("Texture matrix"));
     ImGui::SameLine();
-    dimText(steps.empty() ? word("identity") : Sentence::plural("{0} step", "{0} steps", steps.size()));
+    dimText(steps.empty() ? N_("identity") : Sentence::plural("{0} step", "{0} steps", steps.size()));
     if (!steps.empty()) {
         ImGui::SameLine();
         if (ImGui::SmallButton(label("Edit")))

@@ -65,7 +65,7 @@ std::optional<Choice> fileChoice(const Session& session, const std::string& path
     texture.source = SourceKind::File;
     return Choice{path + "." + keyOf<&Texture::file>() + "=shown",
                   nameOfImage(texture),
-                  "The image file of this texture",
+                  N_("The image file of this texture"),
                   thumbnailOf(session, texture, selectedUnit(session).target),
                   isCurrent,
                   path + "." + keyOf<&Texture::file>(),
@@ -78,11 +78,11 @@ void imageChoice(const Session& session, const Pictures& pictures) {
     const Texture& texture = *boundTexture(session);
     const std::string path =
         elementOf<&Scene::textures>(static_cast<std::size_t>(selectedUnit(session).texture));
-    labelText("Image");
+    labelText(N_("Image"));
     ImGui::SameLine();
     const float right = ImGui::GetContentRegionMax().x;
-    const bool isWide = ImGui::GetCursorPosX() + buttonWidth("Open image…") <= right;
-    const char* open = isWide ? "Open image…" : "Open…";
+    const bool isWide = ImGui::GetCursorPosX() + buttonWidth(N_("Open image…")) <= right;
+    const char* open = isWide ? N_("Open image…") : N_("Open…");
     if (ImGui::GetCursorPosX() + buttonWidth(open) > right)
         ImGui::NewLine();
     const float room = right - buttonWidth(open) - ImGui::GetStyle().ItemSpacing.x - ImGui::GetCursorPosX();
@@ -90,7 +90,7 @@ void imageChoice(const Session& session, const Pictures& pictures) {
     dimPlainText(hasRoom ? fitted(nameOfImage(texture), room) : "");
     helpTip(nameOfImage(texture));
     ImGui::SameLine(std::max(0.0F, right - buttonWidth(open)));
-    if (button(open, "open image",
+    if (button(open, N_("open image"),
                "Opens an image file for this texture. Or drop one onto the window (Ctrl+I)"))
         act(session, [](Session& s) { askOpenImage(s); });
 

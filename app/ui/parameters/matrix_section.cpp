@@ -21,8 +21,8 @@ struct Motion {
     std::string_view preset;
     const char* label;
 };
-constexpr std::array motions{Motion{"scroll", "Scroll"}, Motion{"spin", "Spin"}, Motion{"pulse", "Pulse"},
-                             Motion{"rotate-centre", "Rotate"}};
+constexpr std::array motions{Motion{"scroll", N_("Scroll")}, Motion{"spin", N_("Spin")},
+                             Motion{"pulse", N_("Pulse")}, Motion{"rotate-centre", N_("Rotate")}};
 
 std::string matrixPath(const Session& session) {
     return fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::matrix>());
@@ -38,7 +38,7 @@ void addStep(const Session& session, const EnumRow& op) {
     if (kind == MatrixOp::Scale || kind == MatrixOp::Rotate)
         edits.emplace_back(
             edit::Set{step + keyOf<&MatrixStep::amount>(), kind == MatrixOp::Scale ? "1,1,1" : "0,0,1"});
-    submit(session, {.name = "Add matrix step", .edits = std::move(edits), .path = list});
+    submit(session, {.name = N_("Add matrix step"), .edits = std::move(edits), .path = list});
 }
 
 void offerMotion(const Session& session, const Motion& motion) {
@@ -83,7 +83,7 @@ void addStepButtons(const Session& session, int perLine) {
 
 void motionButtons(const Session& session) {
     std::vector<Segment> buttons = segmentsOf(motions, &Motion::label);
-    buttons.push_back({"+ Step"});
+    buttons.push_back({N_("+ Step")});
     ImGui::PushID("motions");
     const auto pressed =
         drawSegments(buttons, ImGui::GetContentRegionAvail().x, std::nullopt, [&](std::size_t number) {
@@ -112,8 +112,9 @@ void matrixSection(const Session& session) {
     for (std::size_t i = 0; i < steps.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         labelText(Sentence("Step {0}", i + 1), color::dim);
-        constexpr ListWords words{"matrix step",      "", "Move this step up",    "Move this step down",
-                                  "Remove this step", "", "Reorder matrix steps", "Remove matrix step"};
+        constexpr ListWords words{
+            N_("matrix step"),      "", N_("Move this step up"),    N_("Move this step down"),
+            N_("Remove this step"), "", N_("Reorder matrix steps"), N_("Remove matrix step")};
         if (const std::optional<ListEdit> pressed =
                 elementButtons(words, steps[i].owner.path, i, steps.size())) {
             const std::string list = matrixPath(session);

@@ -1,8 +1,8 @@
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/model_choice.h"
+#include "texplorer/base/translatable.h"
 #include "texplorer/scene/params/keys.h"
-#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -54,9 +54,9 @@ void meshRows(const Session& session, const Owner& owner, const MeshData& mesh) 
         if (there)
             lists.push_back(std::move(what));
     };
-    add(!mesh.normals.empty(), word("normals"));
-    add(!mesh.colors.empty(), word("colours"));
-    add(!mesh.texCoords.empty(), word("coordinates"));
+    add(!mesh.normals.empty(), N_("normals"));
+    add(!mesh.colors.empty(), N_("colours"));
+    add(!mesh.texCoords.empty(), N_("coordinates"));
     add(indices > 0, Sentence::plural("{0} index", "{0} indices", indices));
     dimText(Sentence::joined("{0}, {1}", lists));
     helpTip("The Vertices tab edits them one by one. Texture space moves their coordinates.");
@@ -64,13 +64,13 @@ void meshRows(const Session& session, const Owner& owner, const MeshData& mesh) 
 
 void editModels(const Session& session, std::size_t count) {
     constexpr ListWords words{"model",
-                              "Add a copy of this model after it",
-                              "Draw this model earlier",
-                              "Draw this model later",
-                              "Remove this model",
-                              "Add model",
-                              "Reorder models",
-                              "Remove model"};
+                              N_("Add a copy of this model after it"),
+                              N_("Draw this model earlier"),
+                              N_("Draw this model later"),
+                              N_("Remove this model"),
+                              N_("Add model"),
+                              N_("Reorder models"),
+                              N_("Remove model")};
     const auto chosen = static_cast<std::size_t>(session.look.selection.model);
     const auto pressed = listButtons(words, chosen, count, 0, maxModels);
     if (!pressed)

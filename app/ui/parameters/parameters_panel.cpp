@@ -66,7 +66,7 @@ bool section(const Session& session, Section which, const std::vector<Mark>& mar
     if (named || (!session.out.wantedParam.empty() && sectionOf(session.out.wantedParam) == which))
         ImGui::SetNextItemOpen(true);
     ImGui::PushStyleColor(ImGuiCol_Text, idle.empty() ? color::text : color::dim);
-    ImGui::PushID(idle.empty() ? "in use" : "idle"); // it opens when it has an effect
+    ImGui::PushID(idle.empty() ? N_("in use") : "idle"); // it opens when it has an effect
     const bool shown =
         ImGui::CollapsingHeader(label(row.title), idle.empty() ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     ImGui::PopID();
@@ -93,7 +93,7 @@ std::vector<Mark> generatedMarks(const Unit& unit) {
             marks.push_back({ProperName{letters[i]}, componentColor(static_cast<int>(i))});
     }
     if (unit.emboss.enabled)
-        marks.push_back({"Emboss", color::changed});
+        marks.push_back({N_("Emboss"), color::changed});
     return marks;
 }
 
@@ -121,7 +121,7 @@ void unitTab(const Session& session, const Pictures& /*pictures*/) {
     if (section(session, Section::Unit))
         unitSection(session);
     const EnvMode mode = selectedUnit(session).envMode;
-    const Sentence idle("No effect now: the mode is {0}.", ProperName{rowOf(mode).name});
+    const Sentence idle(N_("No effect now: the mode is {0}."), ProperName{rowOf(mode).name});
     if (section(session, Section::Combine, {}, mode == EnvMode::Combine ? Sentence() : idle))
         combineSection(session);
 }
@@ -175,7 +175,7 @@ void searchLine(const Session& session, ParametersState& state) {
     if (std::exchange(session.out.wantsSearch, false))
         focusNextWidget();
     const float width = ImGui::GetContentRegionAvail().x - button - gap - clear;
-    constexpr std::array hints{"Search parameters (Ctrl+F)", "Search (Ctrl+F)", "Search"};
+    constexpr std::array hints{N_("Search parameters (Ctrl+F)"), N_("Search (Ctrl+F)"), N_("Search")};
     const auto* hint =
         std::ranges::find_if(hints, [&](const char* each) { return buttonWidth(each) <= width; });
     ImGui::SetNextItemWidth(width);
@@ -187,16 +187,16 @@ void searchLine(const Session& session, ParametersState& state) {
             "Escape ends the search.");
     ImGui::SameLine(0, gap);
     if (!state.search.empty()) {
-        if (squareButton("✕", "clear search", "Ends the search", true))
+        if (squareButton("✕", N_("clear search"), "Ends the search", true))
             state.search.clear();
         ImGui::SameLine(0, gap);
     }
     const bool glNames = session.settings.glNames;
     if (markedButton(names, glNames))
         act(session, [](Session& changed) { changed.settings.glNames = !changed.settings.glNames; });
-    item("GL names", glNames
-                         ? "Shows plain words again"
-                         : "Shows OpenGL's names of parameters and choices: GL_TEXTURE_WRAP_S, GL_REPEAT");
+    item("GL names",
+         glNames ? N_("Shows plain words again")
+                 : N_("Shows OpenGL's names of parameters and choices: GL_TEXTURE_WRAP_S, GL_REPEAT"));
 }
 
 /// Draws every parameter that matches the search, with its tab and its control: first those with a matching
@@ -232,7 +232,7 @@ void noteTab(std::size_t number) {
 
 /// A choice instead of the tabs, if their buttons would leave no height for the content.
 std::optional<std::size_t> tabList(const ParametersState& state) {
-    const char* shown = state.search.empty() ? rowOf(state.tab).label : "Search";
+    const char* shown = state.search.empty() ? rowOf(state.tab).label : N_("Search");
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     const bool open = ImGui::BeginCombo("##tabs", tr(shown), ImGuiComboFlags_HeightLargest);
     noteItem("parameters' tabs");
@@ -278,7 +278,7 @@ void bringForth(ParametersState& state, Section wanted) {
 
 void drawParametersPanel(const Session& session, ParametersState& state, const Pictures& pictures,
                          const Layout& layout) {
-    beginPanel("Parameters", layout.parameters,
+    beginPanel(N_("Parameters"), layout.parameters,
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     constexpr float comfortable = 37; // height of Essentials, in letters' heights
     searchLine(session, state);

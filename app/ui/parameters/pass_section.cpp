@@ -19,13 +19,13 @@ namespace {
 /// parameters; moves or removes the selected pass.
 void editPasses(const Session& session) {
     constexpr ListWords words{"pass",
-                              "Add a copy of this pass after it",
-                              "Draw this pass earlier",
-                              "Draw this pass later",
-                              "Remove this pass",
-                              "Add pass",
-                              "Reorder passes",
-                              "Remove pass"};
+                              N_("Add a copy of this pass after it"),
+                              N_("Draw this pass earlier"),
+                              N_("Draw this pass later"),
+                              N_("Remove this pass"),
+                              N_("Add pass"),
+                              N_("Reorder passes"),
+                              N_("Remove pass")};
     const auto chosen = static_cast<std::size_t>(session.look.selection.pass);
     const auto pressed = listButtons(words, chosen, presentScene(session).passes.size(), 1, maxPasses);
     if (!pressed)
@@ -42,7 +42,7 @@ void editPasses(const Session& session) {
 void setModels(const Session& session, const std::vector<int>& models) {
     const auto pass = static_cast<std::size_t>(session.look.selection.pass);
     const std::string path = fmt::format("{}.{}", elementOf<&Scene::passes>(pass), keyOf<&Pass::models>());
-    submit(session, {.name = "Models of the pass",
+    submit(session, {.name = N_("Models of the pass"),
                      .edits = {edit::Set{path, fmt::format("{}", fmt::join(models, ","))}},
                      .path = path});
 }
@@ -117,7 +117,7 @@ bool passButton(const Pass& pass, int number, float width, bool isChosen) {
     noteItem(fmt::format("pass:{}", number));
     if (pass.enabled)
         drawDot();
-    const char* state = pass.enabled ? "This pass is drawn." : "This pass is not drawn.";
+    const char* state = pass.enabled ? N_("This pass is drawn.") : N_("This pass is not drawn.");
     helpTip(pass.name.empty() ? state : Sentence("{0}\n{1}", ProperName{pass.name}, state));
     return pressed;
 }

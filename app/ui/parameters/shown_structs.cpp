@@ -23,10 +23,10 @@ struct TexGenPlace {
     TexGen Unit::*state;
     Key key; ///< of the unit
 };
-constexpr std::array texGenPlaces{TexGenPlace{"Generated s", &Unit::texGenS, keyOf<&Unit::texGenS>},
-                                  TexGenPlace{"Generated t", &Unit::texGenT, keyOf<&Unit::texGenT>},
-                                  TexGenPlace{"Generated r", &Unit::texGenR, keyOf<&Unit::texGenR>},
-                                  TexGenPlace{"Generated q", &Unit::texGenQ, keyOf<&Unit::texGenQ>}};
+constexpr std::array texGenPlaces{TexGenPlace{N_("Generated s"), &Unit::texGenS, keyOf<&Unit::texGenS>},
+                                  TexGenPlace{N_("Generated t"), &Unit::texGenT, keyOf<&Unit::texGenT>},
+                                  TexGenPlace{N_("Generated r"), &Unit::texGenR, keyOf<&Unit::texGenR>},
+                                  TexGenPlace{N_("Generated q"), &Unit::texGenQ, keyOf<&Unit::texGenQ>}};
 
 void addUnitPlaces(Places& places, const Session& session) {
     static const Unit initial;
@@ -34,14 +34,14 @@ void addUnitPlaces(Places& places, const Session& session) {
     const Unit& unit = selectedUnit(session);
     const std::string path = selectedUnitPath(session) + ".";
     places.push_back({Section::Unit, "", unitOwner(session), &unitTable()});
-    add(places, Section::Combine, "Combine", unit.combine, initial.combine, path + keyOf<&Unit::combine>(),
-        combineTable());
+    add(places, Section::Combine, N_("Combine"), unit.combine, initial.combine,
+        path + keyOf<&Unit::combine>(), combineTable());
     for (std::size_t i = 0; i < texGenPlaces.size(); ++i) {
         const auto& [title, state, key] = texGenPlaces.at(i);
         add(places, Section::Coordinates, title, unit.*state, initial.*state, path + key(), texGenTable(i));
     }
-    add(places, Section::Coordinates, "Emboss", unit.emboss, initial.emboss, path + keyOf<&Unit::emboss>(),
-        embossTable());
+    add(places, Section::Coordinates, N_("Emboss"), unit.emboss, initial.emboss,
+        path + keyOf<&Unit::emboss>(), embossTable());
     for (std::size_t i = 0; i < unit.matrix.size(); ++i)
         places.push_back({Section::Matrix,
                           Sentence("Matrix step {0}", i + 1),
@@ -56,9 +56,9 @@ void addModelPlaces(Places& places, const Session& session) {
         return;
     const std::string path =
         elementOf<&Scene::models>(static_cast<std::size_t>(session.look.selection.model));
-    add(places, Section::Model, "Model", *model, initial, path, modelTable());
+    add(places, Section::Model, N_("Model"), *model, initial, path, modelTable());
     if (model->ownMaterial)
-        add(places, Section::Model, "Material of the model", model->material, initial.material,
+        add(places, Section::Model, N_("Material of the model"), model->material, initial.material,
             fmt::format("{}.{}", path, keyOf<&Model::material>()), modelMaterialTable());
 }
 
@@ -101,14 +101,14 @@ std::vector<ShownStruct> shownStructs(const Session& session) {
     addUnitPlaces(places, session);
     const std::string pass = elementOf<&Scene::passes>(static_cast<std::size_t>(session.look.selection.pass));
     add(places, Section::Pass, "", selectedPass(session), initialPass, pass, passTable());
-    add(places, Section::Pass, "Fog", selectedPass(session).fog, initialPass.fog,
+    add(places, Section::Pass, N_("Fog"), selectedPass(session).fog, initialPass.fog,
         fmt::format("{}.{}", pass, keyOf<&Pass::fog>()), fogTable());
     add(places, Section::Light, "", scene.light, initial.light, keyOf<&Scene::light>(), lightTable());
-    add(places, Section::Light, "Projector", scene.light.projector, initial.light.projector,
+    add(places, Section::Light, N_("Projector"), scene.light.projector, initial.light.projector,
         pathOf<&Scene::light, &Light::projector>(), projectorTable());
-    places.push_back({Section::Material, "Material", materialOwner(session), &materialTable()});
+    places.push_back({Section::Material, N_("Material"), materialOwner(session), &materialTable()});
     addModelPlaces(places, session);
-    add(places, Section::View, "Camera", scene.view, start, keyOf<&Scene::view>(), viewTable());
+    add(places, Section::View, N_("Camera"), scene.view, start, keyOf<&Scene::view>(), viewTable());
     return places;
 }
 

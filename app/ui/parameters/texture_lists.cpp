@@ -55,16 +55,17 @@ private:
     float indent_;
 };
 
-constexpr ListWords stepWords{"image step",       "", "Move this step up",   "Move this step down",
-                              "Remove this step", "", "Reorder image steps", "Remove image step"};
+constexpr ListWords stepWords{
+    N_("image step"),       "", N_("Move this step up"),   N_("Move this step down"),
+    N_("Remove this step"), "", N_("Reorder image steps"), N_("Remove image step")};
 constexpr ListWords levelWords{"level",
                                "",
-                               "Make this picture a larger level",
-                               "Make this picture a smaller level",
-                               "Remove this level",
+                               N_("Make this picture a larger level"),
+                               N_("Make this picture a smaller level"),
+                               N_("Remove this level"),
                                "",
-                               "Reorder levels",
-                               "Remove level"};
+                               N_("Reorder levels"),
+                               N_("Remove level")};
 
 /// The buttons of one element.
 void editElement(const Session& session, std::size_t index, std::size_t count, const std::string& path,
@@ -143,7 +144,7 @@ void addLevels(const Session& session, std::size_t index, std::size_t count) {
         edits.emplace_back(edit::Set{fmt::format("{}[{}].{}", list, level, keyOf<&GivenLevel::pattern>()),
                                      std::string(rowOf(pattern).name)});
     }
-    submit(session, {.name = "Add levels", .edits = std::move(edits)});
+    submit(session, {.name = N_("Add levels"), .edits = std::move(edits)});
 }
 
 /// A dim line above a list without effect, with the reason.
@@ -185,7 +186,7 @@ void preparationList(const Session& session, std::size_t texture, const LevelsSu
                 const std::string added =
                     fmt::format("{}[{}].{}", list, steps.size(), keyOf<&ImageStep::op>());
                 submit(session,
-                       {.name = "Add image step",
+                       {.name = N_("Add image step"),
                         .edits = {edit::Insert{list, steps.size()}, edit::Set{added, std::string(op.name)}}});
             }
             noteItem(fmt::format("add step:{}", op.name));

@@ -16,7 +16,8 @@ namespace texplorer::ui {
 namespace {
 
 Sentence textureName(const Session& session, int index) {
-    return {"{0}  {1}", index, nameOfImage(presentScene(session).textures[static_cast<std::size_t>(index)])};
+    return {N_("{0}  {1}"), index,
+            nameOfImage(presentScene(session).textures[static_cast<std::size_t>(index)])};
 }
 
 /// The choice of the bound texture. It acts as glBindTexture: the texture is both used by the unit and edited
@@ -25,7 +26,7 @@ void textureChoice(const Session& session) {
     const Unit& unit = selectedUnit(session);
     const ParamRow* row = findParam(unitTable(), keyOf<&Unit::texture>());
     const bool bound = boundTexture(session) != nullptr;
-    const Sentence current = bound ? textureName(session, unit.texture) : "None";
+    const Sentence current = bound ? textureName(session, unit.texture) : N_("None");
     const float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x / 2;
     const float width = ImGui::GetContentRegionAvail().x - 2 * button;
     const std::string shown = fitted(current, listRoom(width));
@@ -36,7 +37,7 @@ void textureChoice(const Session& session) {
             if (ImGui::Selectable(name.c_str(), i == unit.texture) && i != unit.texture) {
                 const std::string path =
                     fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::texture>());
-                submit(session, {.name = std::string(row ? row->label : "Texture"),
+                submit(session, {.name = std::string(row ? row->label : N_("Texture")),
                                  .edits = {edit::Set{path, std::to_string(i)}},
                                  .path = path});
             }
@@ -51,14 +52,14 @@ void textureChoice(const Session& session) {
     }
     const float gap = ImGui::GetStyle().ItemSpacing.x / 2;
     ImGui::SameLine(0, gap);
-    if (squareButton("+", "add texture", "Add a texture and bind it to this unit",
+    if (squareButton("+", N_("add texture"), "Add a texture and bind it to this unit",
                      presentScene(session).textures.size() < maxTextures))
-        submit(session, {.name = "Add texture",
+        submit(session, {.name = N_("Add texture"),
                          .edits = addedTexture(session, session.look.selection.unit, Pattern::UvTemplate)});
     ImGui::SameLine(0, gap);
-    if (squareButton("−", "remove texture", "Remove this texture", bound))
+    if (squareButton("−", N_("remove texture"), "Remove this texture", bound))
         submit(session,
-               {.name = "Remove texture",
+               {.name = N_("Remove texture"),
                 .edits = {edit::Remove{keyOf<&Scene::textures>(), static_cast<std::size_t>(unit.texture)}}});
 }
 

@@ -30,7 +30,7 @@ void ownTexture(const Session& session) {
     const std::size_t added = presentScene(session).textures.size();
     const auto copied = static_cast<std::size_t>(selectedUnit(session).texture);
     submit(session,
-           {.name = "Own texture",
+           {.name = N_("Own texture"),
             .edits = {edit::Insert{keyOf<&Scene::textures>(), added, copied},
                       edit::Set{fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::texture>()),
                                 std::to_string(added)}}});
@@ -56,13 +56,13 @@ Sentence unitTip(const Session& session, int number) {
                            .units[static_cast<std::size_t>(number)];
     const Sentence sharers = sharersText(session, number);
     if (!textureOf(presentScene(session), unit))
-        return {"Texture unit {0} has no texture and gets one when switched on.", number};
+        return {N_("Texture unit {0} has no texture and gets one when switched on."), number};
     if (!sharers.empty() && unit == Unit{})
-        return {"Texture unit {0} is off and gets its own texture when switched on.", number};
+        return {N_("Texture unit {0} is off and gets its own texture when switched on."), number};
     if (!sharers.empty() && unit.enabled)
-        return {"Texture unit {0} is on and shares texture {1} with {2}.", number, unit.texture, sharers};
+        return {N_("Texture unit {0} is on and shares texture {1} with {2}."), number, unit.texture, sharers};
     if (!sharers.empty())
-        return {"Texture unit {0} is off. When on, it shares texture {1} with {2}.", number, unit.texture,
+        return {N_("Texture unit {0} is off. When on, it shares texture {1} with {2}."), number, unit.texture,
                 sharers};
     return unit.enabled ? Sentence("Texture unit {0} is on and has texture {1}.", number, unit.texture)
                         : Sentence("Texture unit {0} is off; it has texture {1}.", number, unit.texture);
@@ -119,7 +119,7 @@ void reachLine(const Session& session) {
     item("shares texture",
          "They share the texture's settings: image, filters, wrap modes and levels belong to the "
          "texture object. Environment, matrix and generated coordinates belong to each unit.");
-    const char* give = "Make a copy";
+    const char* give = N_("Make a copy");
     if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + buttonWidth(give) <
         ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
         ImGui::SameLine();
@@ -141,7 +141,7 @@ void switchUnit(const Session& session, int unit, bool on) {
     const std::size_t added = scene.textures.size();
     if (wantsTexture && added >= maxTextures && !textureOf(scene, switched))
         return act(session, [](Session& told) {
-            say(told, "The scene can have no more textures, and a unit needs one.");
+            say(told, N_("The scene can have no more textures, and a unit needs one."));
         });
     Selection selection = session.look.selection;
     selection.unit = unit;
@@ -150,7 +150,7 @@ void switchUnit(const Session& session, int unit, bool on) {
         edits = addedTexture(session, unit, freshPattern(scene));
     const std::string path = fmt::format("{}.{}", unitPath(selection), keyOf<&Unit::enabled>());
     edits.emplace_back(edit::Set{path, on ? "true" : "false"});
-    submit(session, {.name = on ? "Switch unit on" : "Switch unit off",
+    submit(session, {.name = on ? N_("Switch unit on") : N_("Switch unit off"),
                      .edits = std::move(edits),
                      .path = path,
                      .select = std::move(selection)});

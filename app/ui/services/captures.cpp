@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr FailureWords captureFailure{"not enough memory for the picture", "the picture can't be written"};
+constexpr FailureWords captureFailure{N_("not enough memory for the picture"),
+                                      N_("the picture can't be written")};
 constexpr std::size_t maxUserDirsBytes = 64U << 10;
 
 Captures::News captureProblem(const Error& error) {
@@ -54,7 +55,7 @@ fs::path picturesFolderOfUser() {
             return folder;
     }
     if (home && fs::is_directory(home, failed))
-        return fs::path(home) / "Pictures";
+        return fs::path(home) / N_("Pictures");
     const fs::path working = fs::current_path(failed);
     return failed ? fs::path(".") : working;
 }

@@ -12,9 +12,9 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr FailureWords fileFailure{"not enough memory for it", "it can't be created"};
+constexpr FailureWords fileFailure{N_("not enough memory for it"), N_("it can't be created")};
 
-constexpr const char* meanwhile = "Another program has written the other file meanwhile.";
+constexpr const char* meanwhile = N_("Another program has written the other file meanwhile.");
 
 FileNews unwritten(const FileOrder& order, const Error& error) {
     return {Sentence(order.failure, describe(error)), false};

@@ -10,8 +10,8 @@ namespace {
 
 using ByteTable = std::array<std::byte, 256>;
 
-constexpr FailureWords pictureFailure{"not enough memory for a picture of the level",
-                                      "the picture of the level can't be made"};
+constexpr FailureWords pictureFailure{N_("not enough memory for a picture of the level"),
+                                      N_("the picture of the level can't be made")};
 
 /// The displayed byte for each value.
 ByteTable tableOf(const TexelLook& look) {

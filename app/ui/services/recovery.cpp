@@ -10,7 +10,7 @@ namespace {
 
 constexpr int pictureWidth = 320;
 constexpr int pictureHeight = 240;
-constexpr FailureWords failure{"not enough memory for the picture", "the picture can't be drawn"};
+constexpr FailureWords failure{N_("not enough memory for the picture"), N_("the picture can't be drawn")};
 
 } // namespace
 

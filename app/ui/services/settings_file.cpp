@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t maxSettingsBytes = std::size_t{1} << 20;
-constexpr FailureWords settingsFailure{"not enough memory for the settings", "the settings can't be saved"};
+constexpr FailureWords settingsFailure{N_("not enough memory for the settings"),
+                                       N_("the settings can't be saved")};
 
 fs::path placeIn(const fs::path& folder, const char* name) {
     return folder.empty() ? folder : folder / "texplorer" / name;

@@ -10,7 +10,8 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr FailureWords sheetFailure{"not enough memory for the pictures", "the pictures can't be drawn"};
+constexpr FailureWords sheetFailure{N_("not enough memory for the pictures"),
+                                    N_("the pictures can't be drawn")};
 
 /// Whether pictures of one question can be shown for the other until its own are ready.
 bool sameCells(const SheetPictures::Question& a, const SheetPictures::Question& b) {

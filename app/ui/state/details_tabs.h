@@ -1,5 +1,7 @@
 #pragma once
 
+#include "texplorer/base/translatable.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -18,8 +20,8 @@ struct DockRow {
 };
 
 inline constexpr std::array dockRows{
-    DockRow{Dock::Right, "right", "On the right", "Right dock"},
-    DockRow{Dock::Below, "below", "Below", "Dock below"},
+    DockRow{Dock::Right, "right", N_("On the right"), N_("Right dock")},
+    DockRow{Dock::Below, "below", N_("Below"), N_("Dock below")},
 };
 
 [[nodiscard]] constexpr const DockRow& rowOf(Dock dock) {
@@ -52,18 +54,18 @@ struct TabRow {
 // All tabs start in the dock below: the right column is for texture space, which would be too low above a
 // list, and the levels of a texture are wider than high.
 inline constexpr std::array tabRows{
-    TabRow{Tab::Lesson, "lesson", "Lesson", "Lesson", Dock::Right},
-    TabRow{Tab::Vertices, "vertices", "Vertices", "Vertices"},
-    TabRow{Tab::Levels, "levels", "Levels", "Levels"},
-    TabRow{Tab::Commands, "commands", "Commands", "Calls"},
+    TabRow{Tab::Lesson, "lesson", N_("Lesson"), N_("Lesson"), Dock::Right},
+    TabRow{Tab::Vertices, "vertices", N_("Vertices"), N_("Vertices")},
+    TabRow{Tab::Levels, "levels", N_("Levels"), N_("Levels")},
+    TabRow{Tab::Commands, "commands", N_("Commands"), N_("Calls")},
     TabRow{Tab::Glsl, "glsl", "GLSL", "GLSL"},
-    TabRow{Tab::Explain, "explain", "Explain", "Explain"},
-    TabRow{Tab::File, "file", "File", "File"},
-    TabRow{Tab::Memory, "memory", "Memory", "Memory"},
-    TabRow{Tab::Kept, "a-b", "A and B", "A/B"},
-    TabRow{Tab::History, "history", "History", "History"},
-    TabRow{Tab::Figures, "figures", "Figures", "Figures"},
-    TabRow{Tab::Timeline, "timeline", "Timeline", "Time"},
+    TabRow{Tab::Explain, "explain", N_("Explain"), N_("Explain")},
+    TabRow{Tab::File, "file", N_("File"), N_("File")},
+    TabRow{Tab::Memory, "memory", N_("Memory"), N_("Memory")},
+    TabRow{Tab::Kept, "a-b", N_("A and B"), "A/B"},
+    TabRow{Tab::History, "history", N_("History"), N_("History")},
+    TabRow{Tab::Figures, "figures", N_("Figures"), N_("Figures")},
+    TabRow{Tab::Timeline, "timeline", N_("Timeline"), N_("Time")},
 };
 
 [[nodiscard]] constexpr const TabRow& rowOf(Tab tab) {

@@ -19,19 +19,20 @@ struct FigureRow {
 };
 
 inline constexpr std::array figureRows{
-    FigureRow{Figure::Environments, "environments", "Environments",
-              "The result of each environment mode with each base format, in symbols and in numbers."},
-    FigureRow{Figure::Sheet, "sheet", "Sheet",
-              "The scene with every pair of values of two parameters. A click applies them."},
-    FigureRow{Figure::Block, "block", "Block",
-              "A compressed block of 4 × 4 texels, bit by bit: its end colours, palette and indices."},
-    FigureRow{Figure::Flip, "flip", "Block flip",
-              "How compressed blocks are flipped without decompressing, for every height."},
-    FigureRow{Figure::Objects, "objects", "Texture objects",
-              "What glBindTexture switches, and what stays with the unit."},
-    FigureRow{Figure::Emboss, "emboss", "Emboss", "How two heights, a light and a slope make a bump."},
-    FigureRow{Figure::Edge, "edge", "Edge lens",
-              "Which texels are mixed across the edges of a texture, for each wrap mode and filter."},
+    FigureRow{Figure::Environments, "environments", N_("Environments"),
+              N_("The result of each environment mode with each base format, in symbols and in numbers.")},
+    FigureRow{Figure::Sheet, "sheet", N_("Sheet"),
+              N_("The scene with every pair of values of two parameters. A click applies them.")},
+    FigureRow{Figure::Block, "block", N_("Block"),
+              N_("A compressed block of 4 × 4 texels, bit by bit: its end colours, palette and indices.")},
+    FigureRow{Figure::Flip, "flip", N_("Block flip"),
+              N_("How compressed blocks are flipped without decompressing, for every height.")},
+    FigureRow{Figure::Objects, "objects", N_("Texture objects"),
+              N_("What glBindTexture switches, and what stays with the unit.")},
+    FigureRow{Figure::Emboss, "emboss", N_("Emboss"),
+              N_("How two heights, a light and a slope make a bump.")},
+    FigureRow{Figure::Edge, "edge", N_("Edge lens"),
+              N_("Which texels are mixed across the edges of a texture, for each wrap mode and filter.")},
 };
 
 [[nodiscard]] constexpr const FigureRow& rowOf(Figure figure) {

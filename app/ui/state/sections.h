@@ -1,5 +1,7 @@
 #pragma once
 
+#include "texplorer/base/translatable.h"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -16,15 +18,17 @@ struct ParameterTabRow {
 };
 
 inline constexpr std::array parameterTabRows{
-    ParameterTabRow{ParameterTab::Essentials, "Essentials", "The most important settings, one click each"},
-    ParameterTabRow{ParameterTab::Texture, "Texture",
-                    "The texture object: its image, filters, wrap modes and levels"},
-    ParameterTabRow{ParameterTab::Unit, "Unit", "What the texture unit does with the texture's colour"},
-    ParameterTabRow{ParameterTab::Coordinates, "Coordinates",
-                    "Texture coordinates: how they are generated and transformed"},
-    ParameterTabRow{ParameterTab::Pass, "Pass", "Passes and their tests, blending and fog"},
-    ParameterTabRow{ParameterTab::Light, "Light", "The light and the materials"},
-    ParameterTabRow{ParameterTab::View, "View", "The models and the camera"},
+    ParameterTabRow{ParameterTab::Essentials, N_("Essentials"),
+                    N_("The most important settings, one click each")},
+    ParameterTabRow{ParameterTab::Texture, N_("Texture"),
+                    N_("The texture object: its image, filters, wrap modes and levels")},
+    ParameterTabRow{ParameterTab::Unit, N_("Unit"),
+                    N_("What the texture unit does with the texture's colour")},
+    ParameterTabRow{ParameterTab::Coordinates, N_("Coordinates"),
+                    N_("Texture coordinates: how they are generated and transformed")},
+    ParameterTabRow{ParameterTab::Pass, N_("Pass"), N_("Passes and their tests, blending and fog")},
+    ParameterTabRow{ParameterTab::Light, N_("Light"), N_("The light and the materials")},
+    ParameterTabRow{ParameterTab::View, N_("View"), N_("The models and the camera")},
 };
 
 /// The sections of the tabs, from top to bottom.
@@ -50,17 +54,17 @@ struct SectionRow {
 };
 
 inline constexpr std::array sectionRows{
-    SectionRow{Section::Essentials, "essentials", "Essentials", ParameterTab::Essentials},
-    SectionRow{Section::Texture, "texture", "Texture", ParameterTab::Texture},
-    SectionRow{Section::Unit, "unit", "Unit and environment", ParameterTab::Unit},
-    SectionRow{Section::Combine, "combine", "Combine", ParameterTab::Unit},
-    SectionRow{Section::Coordinates, "coordinates", "Generated coordinates", ParameterTab::Coordinates},
-    SectionRow{Section::Matrix, "matrix", "Texture matrix", ParameterTab::Coordinates},
-    SectionRow{Section::Pass, "pass", "Pass", ParameterTab::Pass},
-    SectionRow{Section::Light, "light", "Light", ParameterTab::Light},
-    SectionRow{Section::Material, "material", "Material", ParameterTab::Light},
-    SectionRow{Section::Model, "model", "Model", ParameterTab::View},
-    SectionRow{Section::View, "view", "Camera", ParameterTab::View},
+    SectionRow{Section::Essentials, "essentials", N_("Essentials"), ParameterTab::Essentials},
+    SectionRow{Section::Texture, "texture", N_("Texture"), ParameterTab::Texture},
+    SectionRow{Section::Unit, "unit", N_("Unit and environment"), ParameterTab::Unit},
+    SectionRow{Section::Combine, "combine", N_("Combine"), ParameterTab::Unit},
+    SectionRow{Section::Coordinates, "coordinates", N_("Generated coordinates"), ParameterTab::Coordinates},
+    SectionRow{Section::Matrix, "matrix", N_("Texture matrix"), ParameterTab::Coordinates},
+    SectionRow{Section::Pass, "pass", N_("Pass"), ParameterTab::Pass},
+    SectionRow{Section::Light, "light", N_("Light"), ParameterTab::Light},
+    SectionRow{Section::Material, "material", N_("Material"), ParameterTab::Light},
+    SectionRow{Section::Model, "model", N_("Model"), ParameterTab::View},
+    SectionRow{Section::View, "view", N_("Camera"), ParameterTab::View},
 };
 
 [[nodiscard]] constexpr const ParameterTabRow& rowOf(ParameterTab tab) {

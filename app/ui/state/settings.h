@@ -21,9 +21,9 @@ struct ThemeRow {
 };
 
 inline constexpr std::array themeRows{
-    ThemeRow{Theme::Dark, "dark", "Dark colours"},
-    ThemeRow{Theme::Light, "light", "Light colours"},
-    ThemeRow{Theme::HighContrast, "high-contrast", "High contrast"},
+    ThemeRow{Theme::Dark, "dark", N_("Dark colours")},
+    ThemeRow{Theme::Light, "light", N_("Light colours")},
+    ThemeRow{Theme::HighContrast, "high-contrast", N_("High contrast")},
 };
 
 inline constexpr int tourSteps = 5; ///< of the tour at the first start

@@ -83,11 +83,11 @@ struct LayoutRow {
 };
 
 inline constexpr std::array layoutRows{
-    LayoutRow{"student", "Student", "Parameters, view and texture space, with Explain below", true, true,
-              true},
-    LayoutRow{"teacher", "Teacher", "A large view next to parameters and texture space, for a projector",
-              true, true, false},
-    LayoutRow{"minimal", "Minimal", "Only the view", false, false, false},
+    LayoutRow{"student", N_("Student"), N_("Parameters, view and texture space, with Explain below"), true,
+              true, true},
+    LayoutRow{"teacher", N_("Teacher"),
+              N_("A large view next to parameters and texture space, for a projector"), true, true, false},
+    LayoutRow{"minimal", N_("Minimal"), N_("Only the view"), false, false, false},
 };
 
 [[nodiscard]] Workspace workspaceOf(const LayoutRow& row);

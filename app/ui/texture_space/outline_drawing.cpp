@@ -157,18 +157,18 @@ Sentence vertexText(const PlaneCoords& coords, std::size_t vertex) {
     const glm::vec4 given = coords.given()[vertex];
     const glm::vec2 end = coords.resultingPlaces()[vertex];
     if (!coords.differ() && given.q == 1)
-        return {"{0}   ({1:.2f}, {2:.2f})", vertex, given.s, given.t};
+        return {N_("{0}   ({1:.2f}, {2:.2f})"), vertex, given.s, given.t};
     if (!isPlace(end))
-        return {"{0}   ({1:.2f}, {2:.2f}) → nowhere: q is 0", vertex, given.s, given.t};
+        return {N_("{0}   ({1:.2f}, {2:.2f}) → nowhere: q is 0"), vertex, given.s, given.t};
     if (given.q != 1)
-        return {"{0}   ({1:.2f}, {2:.2f}, q {3:.2f}) → ({4:.2f}, {5:.2f})",
+        return {N_("{0}   ({1:.2f}, {2:.2f}, q {3:.2f}) → ({4:.2f}, {5:.2f})"),
                 vertex,
                 given.s,
                 given.t,
                 given.q,
                 end.x,
                 end.y};
-    return {"{0}   ({1:.2f}, {2:.2f}) → ({3:.2f}, {4:.2f})", vertex, given.s, given.t, end.x, end.y};
+    return {N_("{0}   ({1:.2f}, {2:.2f}) → ({3:.2f}, {4:.2f})"), vertex, given.s, given.t, end.x, end.y};
 }
 
 /// Vertices at one place.
@@ -310,7 +310,7 @@ void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, cons
         const ImVec2 at = canvas.toPixel(places[*marks.hovered]);
         draw.AddCircle(at, em * 0.5F, color::shade, 24, strokeWidth(4));
         draw.AddCircle(at, em * 0.5F, color::chosen, 24, strokeWidth(2));
-        noteDrawn("hover ring", at, at);
+        noteDrawn(N_("hover ring"), at, at);
     }
 }
 
@@ -353,7 +353,7 @@ void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& 
             continue;
         taken.push_back(*found);
         drawTextChip(draw, *found, em, color::chosen, words);
-        noteDrawn("coord label:" + english.english(), found->low, found->high);
+        noteDrawn(N_("coord label:") + english.english(), found->low, found->high);
     }
     const float size = em * 0.85F;
     const ImVec2 centre = canvas.toPixel(canvas.plane.s, canvas.plane.t);
@@ -373,7 +373,7 @@ void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& 
             return std::ranges::binary_search(marks.chosen, vertex);
         });
         drawTextChip(draw, box, size, isChosen ? color::chosen : color::text, text);
-        noteDrawn("vertex number:" + text, box.low, box.high);
+        noteDrawn(N_("vertex number:") + text, box.low, box.high);
     }
 }
 

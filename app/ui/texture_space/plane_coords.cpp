@@ -6,8 +6,6 @@
 #include "texplorer/scene/tex_coords.h"
 #include "texplorer/texture/late_flip.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "texplorer/base/translatable.h"
+
 #include <array>
 
 namespace texplorer::ui {
@@ -11,15 +13,15 @@ struct PlaneKeyRow {
 };
 
 inline constexpr std::array planeKeys{
-    PlaneKeyRow{"G, R, S", "move, rotate, scale the selected vertices with the mouse"},
-    PlaneKeyRow{"S, T (or X, Y) meanwhile", "one axis only, or both again"},
-    PlaneKeyRow{"Enter or click, Escape", "confirm, cancel"},
-    PlaneKeyRow{"Ctrl meanwhile", "snap to texels, quarters, or 0 and 1"},
-    PlaneKeyRow{"Arrow keys, with Shift", "move the selected vertices by a texel, by 1/4"},
-    PlaneKeyRow{"A", "select all vertices, or none"},
-    PlaneKeyRow{"Shift + click, Shift + drag", "add one to the selection, select those in a box"},
-    PlaneKeyRow{"Ctrl + C, Ctrl + V", "copy the coordinates as text, paste them"},
-    PlaneKeyRow{"F, double click", "show the image and every vertex"},
+    PlaneKeyRow{"G, R, S", N_("move, rotate, scale the selected vertices with the mouse")},
+    PlaneKeyRow{N_("S, T (or X, Y) meanwhile"), N_("one axis only, or both again")},
+    PlaneKeyRow{N_("Enter or click, Escape"), N_("confirm, cancel")},
+    PlaneKeyRow{N_("Ctrl meanwhile"), N_("snap to texels, quarters, or 0 and 1")},
+    PlaneKeyRow{N_("Arrow keys, with Shift"), N_("move the selected vertices by a texel, by 1/4")},
+    PlaneKeyRow{"A", N_("select all vertices, or none")},
+    PlaneKeyRow{N_("Shift + click, Shift + drag"), N_("add one to the selection, select those in a box")},
+    PlaneKeyRow{N_("Ctrl + C, Ctrl + V"), N_("copy the coordinates as text, paste them")},
+    PlaneKeyRow{N_("F, double click"), N_("show the image and every vertex")},
 };
 
 } // namespace texplorer::ui

@@ -32,7 +32,7 @@ Sentence extentsOf(const Session& session) {
     const Sentence extents("{0} × {1}", texels->x, texels->y);
     const Target target = selectedUnit(session).target;
     if (target == Target::CubeMap)
-        return {"{0} faces of {1}", cubeFaceCount, extents};
+        return {N_("{0} faces of {1}"), cubeFaceCount, extents};
     return target == Target::Texture3D ? Sentence("{0} × {1}", extents, texels->z) : extents;
 }
 
@@ -40,13 +40,13 @@ Sentence extentsOf(const Session& session) {
 Sentence lookText(const PlaneLook& look) {
     const char* channel = channelRows[static_cast<std::size_t>(look.channel)].label;
     if (look.exposure != 0 || look.low != 0 || look.high != 1)
-        return {"level {0} · {1} · × 2^{2:.1f}, {3:.2f} to {4:.2f}",
+        return {N_("level {0} · {1} · × 2^{2:.1f}, {3:.2f} to {4:.2f}"),
                 look.level,
                 channel,
                 look.exposure,
                 look.low,
                 look.high};
-    return {"level {0} · {1}", look.level, channel};
+    return {N_("level {0} · {1}"), look.level, channel};
 }
 
 void nameWhatIsShown(const Session& session, const TextureSpaceState& state, PlaneLegend& legend) {
@@ -57,8 +57,8 @@ void nameWhatIsShown(const Session& session, const TextureSpaceState& state, Pla
     if (!state.look.isPlain())
         lines.push_back({lookText(state.look)});
     if (state.coords.differ()) {
-        lines.push_back({"as given", Line::Stroke::Faint});
-        lines.push_back({"as looked up", Line::Stroke::Strong});
+        lines.push_back({N_("as given"), Line::Stroke::Faint});
+        lines.push_back({N_("as looked up"), Line::Stroke::Strong});
     }
 }
 
@@ -67,11 +67,11 @@ void nameWhatIsShown(const Session& session, const TextureSpaceState& state, Pla
 PlaneLegend legendOf(const Session& session, const TextureSpaceState& state, ImVec2 corner, float room) {
     const auto image = boundImage(session);
     PlaneLegend legend;
-    legend.extents = image ? extentsOf(session) : "no texture";
+    legend.extents = image ? extentsOf(session) : N_("no texture");
     if (state.legend)
         nameWhatIsShown(session, state, legend);
     if (state.level.isComputing())
-        legend.lines.push_back({"Computing…"});
+        legend.lines.push_back({N_("Computing…")});
     legend.box = {corner, corner};
     if (legend.lines.empty())
         return legend;
@@ -93,7 +93,7 @@ PlaneLegend legendOf(const Session& session, const TextureSpaceState& state, ImV
 
 void drawPlaneLegend(ImDrawList& draw, const PlaneLegend& legend) {
     const Box& box = legend.box;
-    noteDrawn("texture size:" + legend.extents.english(), box.low, box.high);
+    noteDrawn(N_("texture size:") + legend.extents.english(), box.low, box.high);
     if (legend.lines.empty())
         return;
     const float em = ImGui::GetFontSize();
@@ -136,7 +136,7 @@ void drawMoveHint(ImDrawList& draw, const Canvas& canvas, const VertexMove& move
     const ImVec2 pad(em * 0.3F, em * 0.1F);
     draw.AddRectFilled(at - pad, at + size + pad, color::shade, em * 0.25F);
     draw.AddText(at, color::chosen, shown.c_str());
-    noteDrawn("move hint:" + words.english(), at, at + size);
+    noteDrawn(N_("move hint:") + words.english(), at, at + size);
 }
 
 } // namespace texplorer::ui

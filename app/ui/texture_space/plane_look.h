@@ -21,13 +21,13 @@ struct ChannelRow {
 };
 
 inline constexpr std::array channelRows{
-    ChannelRow{Channel::All, "RGBA", "Colour", "The unchanged texels"},
-    ChannelRow{Channel::Red, "R", "Red", "Red only, as grey"},
-    ChannelRow{Channel::Green, "G", "Green", "Green only, as grey"},
-    ChannelRow{Channel::Blue, "B", "Blue", "Blue only, as grey"},
-    ChannelRow{Channel::Alpha, "A", "Alpha", "Alpha only: black is transparent, white is opaque"},
-    ChannelRow{Channel::Luminance, "L", "Luminance",
-               "The luminance of the texels: 0.2126 R + 0.7152 G + 0.0722 B"},
+    ChannelRow{Channel::All, "RGBA", N_("Colour"), N_("The unchanged texels")},
+    ChannelRow{Channel::Red, "R", N_("Red"), N_("Red only, as grey")},
+    ChannelRow{Channel::Green, "G", N_("Green"), N_("Green only, as grey")},
+    ChannelRow{Channel::Blue, "B", N_("Blue"), N_("Blue only, as grey")},
+    ChannelRow{Channel::Alpha, "A", N_("Alpha"), N_("Alpha only: black is transparent, white is opaque")},
+    ChannelRow{Channel::Luminance, "L", N_("Luminance"),
+               N_("The luminance of the texels: 0.2126 R + 0.7152 G + 0.0722 B")},
 };
 
 /// How the panel shows the texture's picture. Does not change the scene.

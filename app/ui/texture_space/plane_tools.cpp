@@ -20,10 +20,11 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr const char* fitHelp = "Shows the image and every vertex (F or double click)";
-constexpr const char* snapHelp = "Moved vertices snap to texels, quarters, or 0 and 1 (hold Ctrl to invert)";
+constexpr const char* fitHelp = N_("Shows the image and every vertex (F or double click)");
+constexpr const char* snapHelp =
+    N_("Moved vertices snap to texels, quarters, or 0 and 1 (hold Ctrl to invert)");
 constexpr const char* selectHelp =
-    "Dragging selects the vertices in a box instead of moving the plane (also with Shift)";
+    N_("Dragging selects the vertices in a box instead of moving the plane (also with Shift)");
 
 /// A button that is highlighted while it is on.
 bool toolButton(const char* words, std::string_view name, const char* help, bool on) {
@@ -50,10 +51,10 @@ struct Tool {
 // In the order of the toolbar.
 constexpr std::span channelTools = std::span(channelRows).subspan<1>(); // all but RGBA
 constexpr std::array vertexTools{
-    Tool{"Snap", "snap", snapHelp, [](TextureSpaceState& state) -> bool& { return state.snapping.on; }},
-    Tool{"▭", "box select", selectHelp, [](TextureSpaceState& state) -> bool& { return state.selects; }},
-    Tool{"↔", "mirror s", "Mirrors the selected vertices, or all, from left to right", nullptr, 0},
-    Tool{"↕", "mirror t", "Mirrors the selected vertices, or all, upside down", nullptr, 1},
+    Tool{N_("Snap"), "snap", snapHelp, [](TextureSpaceState& state) -> bool& { return state.snapping.on; }},
+    Tool{"▭", N_("box select"), selectHelp, [](TextureSpaceState& state) -> bool& { return state.selects; }},
+    Tool{"↔", N_("mirror s"), N_("Mirrors the selected vertices, or all, from left to right"), nullptr, 0},
+    Tool{"↕", N_("mirror t"), N_("Mirrors the selected vertices, or all, upside down"), nullptr, 1},
 };
 
 /// Pressing the button again shows all channels.
@@ -84,7 +85,7 @@ void levelSlider(const Session& session, TextureSpaceState& state, float width) 
     noteItem("shown level");
     ImGui::EndDisabled();
     helpTip(levels.size() < 2 ? "The texture has only one level"
-                              : "The mip level that is shown here. It does not change the scene");
+                              : N_("The mip level that is shown here. It does not change the scene"));
 }
 
 void exposureSlider(PlaneLook& look, float width) {
@@ -157,9 +158,9 @@ void drawHistogram(const LevelPicture& level, Channel channel, float width) {
             noteDrawn(fmt::format("histogram:{}", componentLetter(shown[i])), from, to);
         }
     }
-    const char* words = level.isComputing()       ? "Counting…"
+    const char* words = level.isComputing()       ? N_("Counting…")
                         : level.problem().empty() ? ""
-                                                  : "There is no such level";
+                                                  : N_("There is no such level");
     if (*words == '\0')
         return;
     const ImVec2 size = ImGui::CalcTextSize(tr(words));
@@ -263,8 +264,8 @@ void vertexMenu(const Session& session, TextureSpaceState& state) {
     dimText(Sentence("Of {0} vertices:", count));
     helpTip("The selected vertices if two or more, else all");
     for (const auto& [words, name, help, axis] :
-         {std::tuple{"Mirror s", "menu mirror s", vertexTools[2].help, 0},
-          std::tuple{"Mirror t", "menu mirror t", vertexTools[3].help, 1}}) {
+         {std::tuple{N_("Mirror s"), N_("menu mirror s"), vertexTools[2].help, 0},
+          std::tuple{N_("Mirror t"), N_("menu mirror t"), vertexTools[3].help, 1}}) {
         ImGui::SameLine();
         if (toolButton(words, name, help, false))
             mirrorVertices(session, state.coords, axis);
@@ -279,12 +280,12 @@ void vertexMenu(const Session& session, TextureSpaceState& state) {
                             projectedTexCoords(selectedMesh(session), static_cast<CoordProjection>(row.value),
                                                editedVertices(session), state.coords.given()));
     }
-    if (toolButton("Copy", "copy coordinates", "Copies s and t as text, one line for each vertex (Ctrl + C)",
-                   false))
+    if (toolButton(N_("Copy"), N_("copy coordinates"),
+                   N_("Copies s and t as text, one line for each vertex (Ctrl + C)"), false))
         copyCoords(session, state.coords);
     ImGui::SameLine();
-    if (toolButton("Paste", "paste coordinates",
-                   "Pastes coordinates, a line \"s t\" or \"s t r q\" for each vertex (Ctrl + V)", false))
+    if (toolButton(N_("Paste"), N_("paste coordinates"),
+                   N_("Pastes coordinates, a line \"s t\" or \"s t r q\" for each vertex (Ctrl + V)"), false))
         pasteCoords(session, state.coords);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ImGui::GetFontSize() * 18);
     dimText("Keys over the plane do all of this and move by texels. F1 lists them.");
@@ -333,12 +334,12 @@ void pasteCoords(const Session& session, const PlaneCoords& coords) {
     } else {
         list = *pasted;
     }
-    submitTexCoords(session, "Paste coordinates", std::move(list));
+    submitTexCoords(session, N_("Paste coordinates"), std::move(list));
 }
 
 void drawPlaneTools(const Session& session, TextureSpaceState& state) {
     constexpr const char* more = "…";
-    constexpr const char* fit = "Fit";
+    constexpr const char* fit = N_("Fit");
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     const float end = ImGui::GetContentRegionMax().x - buttonWidth(fit) - buttonWidth(more) - gap;
     textureSpaceTitle(session, end - ImGui::GetCursorPosX() - ImGui::GetStyle().ItemSpacing.x);
@@ -365,16 +366,17 @@ void drawPlaneTools(const Session& session, TextureSpaceState& state) {
         ImGui::SameLine(0, gap);
     }
     ImGui::SetCursorPosX(std::max(begin, end));
-    if (toolButton(more, "plane tools", "Channels, exposure, histogram, snapping, projections and more",
+    if (toolButton(more, N_("plane tools"),
+                   N_("Channels, exposure, histogram, snapping, projections and more"),
                    !state.look.isPlain()))
-        ImGui::OpenPopup("plane tools");
+        ImGui::OpenPopup(N_("plane tools"));
     ImGui::SameLine(0, gap);
     if (ImGui::Button(label(fit)))
         fitPlane(session, state.coords);
     item("fit plane", fitHelp);
     // Next to the panel, so that the effect of the tools is visible.
     ImGui::SetNextWindowPos(ImGui::GetWindowPos(), ImGuiCond_Always, {1, 0});
-    const bool open = ImGui::BeginPopup("plane tools");
+    const bool open = ImGui::BeginPopup(N_("plane tools"));
     if (open) {
         pictureTools(session, state);
         ImGui::Spacing();

@@ -126,7 +126,7 @@ std::vector<Uncovered> keptInSight(const reference::UnitExplanation& unit, const
 /// The texts of a title, the most important first.
 Sentence titleOf(const reference::UnitExplanation& unit, const LevelPatch& patch, bool whole) {
     const float share = shareOf(unit, patch.level);
-    Sentence title("level {0}", patch.level);
+    Sentence title(N_("level {0}"), patch.level);
     if (unit.sample.cube)
         title = Sentence("{0} · {1}", rowOf(cubeFaceAt(patch.layer)).label, title);
     if (!whole)

@@ -51,7 +51,7 @@ void drawInset(ImDrawList& draw, const reference::UnitExplanation& unit, const I
     draw.AddRectFilled(frame.low, frame.high, faded(color::ground, 0.96F), em * 0.2F);
     draw.AddText({inset.low.x, inset.low.y - em * 1.15F}, color::text, inset.shown.c_str());
     noteDrawn("patch-frame:" + inset.title.english(), frame.low, frame.high);
-    noteDrawn("patch title:" + inset.title.english(), {inset.low.x, inset.low.y - insetTitleHeight()},
+    noteDrawn(N_("patch title:") + inset.title.english(), {inset.low.x, inset.low.y - insetTitleHeight()},
               {inset.low.x + ImGui::CalcTextSize(inset.shown.c_str()).x, inset.low.y});
     draw.PushClipRect(inset.low, end, true);
     for (int y = 0; y < patch.size.y; ++y) {
@@ -107,7 +107,7 @@ void drawFlag(ImDrawList& draw, const Box& box) {
         return;
     draw.AddTriangleFilled(box.low, {box.low.x + side, box.low.y}, {box.low.x, box.low.y + side},
                            color::chosen);
-    noteDrawn("texel flag", box.low, {box.low.x + side, box.low.y + side});
+    noteDrawn(N_("texel flag"), box.low, {box.low.x + side, box.low.y + side});
 }
 
 /// Wraps a texel that is outside of its level. A line has only one row.
@@ -210,7 +210,7 @@ void drawTexelMarks(const Session& session, ImDrawList& draw, const Canvas& canv
     if (unit && !isCube) {
         markPlane(draw, canvas, *unit);
         const Box marks = marksOf(*unit, canvas);
-        noteDrawn("texel marks", marks.low, marks.high);
+        noteDrawn(N_("texel marks"), marks.low, marks.high);
     }
     if (const auto asked = askedTexel(session); asked && !isCube) {
         if (const auto extent = extentOfBound(session, asked->level)) {

@@ -178,7 +178,7 @@ void drawCanvas(const Session& session, TextureSpaceState& state, const Pictures
 
 void drawTextureSpacePanel(const Session& session, TextureSpaceState& state, const Pictures& pictures,
                            const Layout& layout) {
-    beginPanel("Texture space", layout.texture,
+    beginPanel(N_("Texture space"), layout.texture,
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     state.coords.follow(session);
     drawPlaneTools(session, state);

@@ -194,7 +194,7 @@ void mirrorVertices(const Session& session, const PlaneCoords& coords, int axis)
         place[axis] = 2 * middle[axis] - place[axis];
         return place;
     });
-    submitTexCoords(session, axis == 0 ? "Mirror s" : "Mirror t", std::move(*list));
+    submitTexCoords(session, axis == 0 ? N_("Mirror s") : N_("Mirror t"), std::move(*list));
 }
 
 } // namespace texplorer::ui

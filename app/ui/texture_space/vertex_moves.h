@@ -20,9 +20,9 @@ struct SnapRow {
 };
 
 inline constexpr std::array snapRows{
-    SnapRow{Snap::Texel, "Texels", "Vertices snap to the edges of texels"},
-    SnapRow{Snap::Quarter, "Quarters", "Vertices snap to multiples of 1/4"},
-    SnapRow{Snap::Whole, "0 and 1", "Vertices snap to 0 and 1"},
+    SnapRow{Snap::Texel, N_("Texels"), N_("Vertices snap to the edges of texels")},
+    SnapRow{Snap::Quarter, N_("Quarters"), N_("Vertices snap to multiples of 1/4")},
+    SnapRow{Snap::Whole, N_("0 and 1"), N_("Vertices snap to 0 and 1")},
 };
 
 /// Whether vertices snap, and to which grid. Holding Ctrl inverts it.
@@ -43,12 +43,12 @@ struct MoveRow {
 };
 
 inline constexpr std::array moveRows{
-    MoveRow{MoveKind::Move, 'G', "Move vertex {0}", "Move {0} vertices",
-            "Moving {0} · S, T: one axis · Enter confirms, Escape cancels"},
-    MoveRow{MoveKind::Rotate, 'R', "Rotate vertex {0}", "Rotate {0} vertices",
-            "Rotating {0} · Enter confirms, Escape cancels"},
-    MoveRow{MoveKind::Scale, 'S', "Scale vertex {0}", "Scale {0} vertices",
-            "Scaling {0} · S, T: one axis · Enter confirms, Escape cancels"},
+    MoveRow{MoveKind::Move, 'G', N_("Move vertex {0}"), N_("Move {0} vertices"),
+            N_("Moving {0} · S, T: one axis · Enter confirms, Escape cancels")},
+    MoveRow{MoveKind::Rotate, 'R', N_("Rotate vertex {0}"), N_("Rotate {0} vertices"),
+            N_("Rotating {0} · Enter confirms, Escape cancels")},
+    MoveRow{MoveKind::Scale, 'S', N_("Scale vertex {0}"), N_("Scale {0} vertices"),
+            N_("Scaling {0} · S, T: one axis · Enter confirms, Escape cancels")},
 };
 
 [[nodiscard]] inline const MoveRow& rowOf(MoveKind kind) {

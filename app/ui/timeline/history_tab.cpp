@@ -23,7 +23,7 @@ constexpr float pictureHeight = 4;
 
 Sentence stepName(const History& history, std::size_t step) {
     const Sentence& name = history.nameOf(step);
-    return name.empty() ? "Start" : name;
+    return name.empty() ? N_("Start") : name;
 }
 
 /// The name of a step in at most two lines.
@@ -41,7 +41,7 @@ Sentence stepHelp(const History& history, std::size_t step) {
     const Sentence name = stepName(history, step);
     const std::size_t present = history.position();
     if (step == present)
-        return {"{0}\nThe present state.", name};
+        return {N_("{0}\nThe present state."), name};
     return step < present ? Sentence("{0}\nClick: undo {1}", name,
                                      Sentence::plural("{0} step", "{0} steps", present - step))
                           : Sentence("{0}\nClick: redo {1}", name,

@@ -22,7 +22,7 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr const char* recordWords = "Record animation…";
+constexpr const char* recordWords = N_("Record animation…");
 constexpr std::array grids{0.0F, 0.05F, 0.1F, 0.25F, 0.5F, 1.0F};
 
 /// Puts the next item of this width on the same line, or on the next one if there is no room.
@@ -83,8 +83,8 @@ void timeControls(const Session& session, TimelineTabState& state) {
 /// A hint how to begin, with buttons.
 void drawBeginning(const Session& session) {
     dimWrappedText(
-        "There are no key frames yet. Select a time, right-click a parameter and add one. The parameter "
-        "moves from each key frame to the next.");
+        N_("There are no key frames yet. Select a time, right-click a parameter and add one. The parameter "
+           "moves from each key frame to the next."));
     noteItem("timeline:empty");
     ImGui::Spacing();
     if (button("Turn the view", "timeline:turn",
@@ -97,7 +97,7 @@ void easingChoice(const Session& session, const TimelineTabState::ChosenKey& cho
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 10);
     const bool open = ImGui::BeginCombo("##easing", tr(now.label).c_str());
     item("key:easing",
-         Sentence("{0}\n{1}", "How the value changes from this key to the next one.", now.help));
+         Sentence("{0}\n{1}", N_("How the value changes from this key to the next one."), now.help));
     if (!open)
         return;
     for (const EnumRow& row : EnumTable<Easing>::rows) {
@@ -152,7 +152,7 @@ void keyControls(const Session& session, TimelineTabState& state) {
     valueOfKey(session, key, **row);
     besideOrBelow(em * 10);
     easingChoice(session, chosen, key);
-    besideOrBelow(buttonWidth("Remove"));
+    besideOrBelow(buttonWidth(N_("Remove")));
     if (button("Remove", "key:remove", "Removes this key frame (Delete).")) {
         removeKey(session, chosen.number);
         state.chosen.reset();
@@ -195,8 +195,8 @@ void drawTimelineTab(const Session& session, TimelineTabState& state) {
     if (state.chosen) {
         keyControls(session, state);
     } else {
-        constexpr const char* words = "Click a key frame to change it. Editing a parameter that has key "
-                                      "frames adds one at this time.";
+        constexpr const char* words = N_("Click a key frame to change it. Editing a parameter that has key "
+                                         "frames adds one at this time.");
         ImGui::AlignTextToFramePadding();
         if (fittedText(words, color::dim))
             helpTip(words);

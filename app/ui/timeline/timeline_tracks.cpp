@@ -8,10 +8,10 @@
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
+#include "texplorer/base/translatable.h"
 #include "texplorer/scene/params/params.h"
 #include "texplorer/scene/params/value_mix.h"
 #include "texplorer/text/printable.h"
-#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 #include <imgui_internal.h> // whether the focus rectangle is shown
@@ -290,7 +290,7 @@ Sentence wordsOfValue(const Settings& settings, const ParamRow& row, std::string
     if (const EnumRow* choice = findRow(row.choices, value))
         return shownName(settings, *choice);
     if (row.kind == Kind::Bool)
-        return value == "true" ? word("on") : word("off");
+        return value == "true" ? N_("on") : N_("off");
     const bool isText = row.kind == Kind::Text;
     value = value.substr(0, maxValueBytes);
     return ProperName{isText ? printable(value) : roundedNumbers(value)};

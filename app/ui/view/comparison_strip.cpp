@@ -22,9 +22,9 @@ struct ArrangementRow {
     const char* help;
 };
 constexpr std::array arrangementRows{
-    ArrangementRow{Arrangement::Split, "Split", "Two renderers in one picture. Drag the seam."},
-    ArrangementRow{Arrangement::Grid, "Side by side",
-                   "All renderers, and the difference of the two selected ones."},
+    ArrangementRow{Arrangement::Split, N_("Split"), N_("Two renderers in one picture. Drag the seam.")},
+    ArrangementRow{Arrangement::Grid, N_("Side by side"),
+                   N_("All renderers, and the difference of the two selected ones.")},
 };
 
 /// The compared renderers, or the renderer that draws both sides.
@@ -153,7 +153,7 @@ void worstButton(const Session& session, Flow& flow, const Difference& differenc
 void numbers(const Session& session, Flow& flow, const Difference& difference, view::Size picture,
              float gap) {
     if (difference.max == 0) {
-        flow.text("equal in every pixel", color::text, gap);
+        flow.text(N_("equal in every pixel"), color::text, gap);
         noteItem("equal");
         return helpTip("Red, green and blue are the same everywhere.");
     }
@@ -168,7 +168,7 @@ int linesNeeded(const ViewSettings& settings, const Rect& strip, float gap, floa
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
     Flow flow(strip);
     if (!comparesRenderers(settings))
-        flow.place(textWidth("A and now"), narrow);
+        flow.place(textWidth(N_("A and now")), narrow);
     for (const ArrangementRow& row : arrangementRows) {
         if (comparesRenderers(settings))
             flow.place(buttonWidth(row.label), narrow);
@@ -194,7 +194,7 @@ void drawComparisonStrip(const Session& session, const Pictures& pictures, const
         act(session, [lines](Session& changed) { changed.view.stripLines = lines; });
     Flow flow(layout.strip);
     if (!comparesRenderers(settings)) {
-        flow.text("A and now", color::dim, narrow);
+        flow.text(N_("A and now"), color::dim, narrow);
         item("A and now",
              "Drag the seam. A is on the left, the present scene on the right, with the same renderer "
              "and camera.");
@@ -213,7 +213,8 @@ void drawComparisonStrip(const Session& session, const Pictures& pictures, const
     if (pictures.difference)
         numbers(session, flow, pictures.difference->numbers, pictures.frames.front().frame.size, gap);
     else
-        flow.text(isDrawing(pictures, comparedOf(settings)) ? "Drawing…" : "no numbers: a picture is missing",
+        flow.text(isDrawing(pictures, comparedOf(settings)) ? N_("Drawing…")
+                                                            : N_("no numbers: a picture is missing"),
                   color::dim, gap);
 }
 

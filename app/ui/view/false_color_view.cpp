@@ -79,8 +79,8 @@ void shownItems(const Session& session) {
     if (ImGui::SliderFloat("##opacity", &percent, 10, 100, "%.0f %%", ImGuiSliderFlags_AlwaysClamp))
         act(session, [percent](Session& changed) { changed.view.opacity = percent / 100; });
     ImGui::EndDisabled();
-    item("false color opacity", isIdle ? "The opacity of the false colours. None are shown at present"
-                                       : "The opacity of the false colours over the picture");
+    item("false color opacity", isIdle ? N_("The opacity of the false colours. None are shown at present")
+                                       : N_("The opacity of the false colours over the picture"));
     ImGui::SameLine();
     ImGui::TextUnformatted(tr("Opacity"));
 }
@@ -92,8 +92,8 @@ void drawShownChoice(const Session& session) {
     item("shown", "Shows the picture, or false colours for the level of detail (λ) or the elongation of each "
                   "pixel's footprint (anisotropy)");
     if (pressed)
-        ImGui::OpenPopup("shown choices");
-    if (ImGui::BeginPopup("shown choices")) {
+        ImGui::OpenPopup(N_("shown choices"));
+    if (ImGui::BeginPopup(N_("shown choices"))) {
         shownItems(session);
         ImGui::EndPopup();
     }
@@ -131,7 +131,7 @@ void drawFalseColorLegend(ImDrawList& draw, const Session& session, const Pane& 
     if (!map) {
         const Sentence words = answer && !answer->map
                                    ? Sentence("No false colours: {0}", answer->map.error().message)
-                                   : "Computing the levels of the pixels…";
+                                   : N_("Computing the levels of the pixels…");
         const std::string text = fitted(words, width);
         const float y = static_cast<float>(pane.frame.bottom()) - line - 2 * pad;
         const float x = right - ImGui::CalcTextSize(text.c_str()).x;

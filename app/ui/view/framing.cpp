@@ -4,8 +4,6 @@
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/show_shapes.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <vector>
 
@@ -73,14 +71,14 @@ std::optional<Show> shownNow(const Scene& scene) {
 }
 
 void resetCamera(const Session& session, const Layout& layout) {
-    moveCamera(session, layout, "Reset camera", [](Scene& scene, double time, float aspect) {
+    moveCamera(session, layout, N_("Reset camera"), [](Scene& scene, double time, float aspect) {
         scene.view = defaultScene().view;
         fitDistance(scene, time, aspect);
     });
 }
 
 void frameAll(const Session& session, const Layout& layout) {
-    moveCamera(session, layout, "Frame the models", frameModels);
+    moveCamera(session, layout, N_("Frame the models"), frameModels);
 }
 
 void show(const Session& session, const ShowRow& row, const Layout& layout) {

@@ -18,9 +18,9 @@ struct ShowRow {
 };
 
 inline constexpr std::array showRows{
-    ShowRow{Show::CubeAndSphere, "Both", Shape::Cube}, ShowRow{Show::Cube, "Cube", Shape::Cube},
-    ShowRow{Show::Sphere, "Sphere", Shape::Sphere},    ShowRow{Show::Quad, "Square", Shape::Quad},
-    ShowRow{Show::Floor, "Floor", Shape::Floor},
+    ShowRow{Show::CubeAndSphere, N_("Both"), Shape::Cube}, ShowRow{Show::Cube, N_("Cube"), Shape::Cube},
+    ShowRow{Show::Sphere, N_("Sphere"), Shape::Sphere},    ShowRow{Show::Quad, N_("Square"), Shape::Quad},
+    ShowRow{Show::Floor, N_("Floor"), Shape::Floor},
 };
 
 /// Shows only the first model of the shape; adds it if the scene has none. Aims the camera at it. `aspect` is

@@ -67,7 +67,7 @@ std::vector<Lens> lensesOf(const Session& session, const Panes& panes, const Pic
     for (const Pane& pane : panes.all()) {
         const view::PictureHandle picture = pictureOf(pane, pictures);
         if (!pane.renderer) {
-            lenses.push_back({"Difference", picture, differenceText(session.view, pictures, pixel)});
+            lenses.push_back({N_("Difference"), picture, differenceText(session.view, pictures, pixel)});
             continue;
         }
         const Image* image = imageWith(pictures, *pane.renderer, pixel);

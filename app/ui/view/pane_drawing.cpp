@@ -116,7 +116,7 @@ void drawPane(ImDrawList& draw, const Panes& panes, const Pane& pane, const Pict
     } else if (pictures.setBlending) {
         const bool comes = pane.renderer ? isDrawing(pictures, {&*pane.renderer, 1})
                                          : isDrawing(pictures, settings.compared);
-        const char* text = tr(comes ? "Drawing…" : "No picture: see the status bar");
+        const char* text = tr(comes ? "Drawing…" : N_("No picture: see the status bar"));
         const ImVec2 size = ImGui::CalcTextSize(text);
         draw.AddText({(low.x + high.x - size.x) / 2, (low.y + high.y - size.y) / 2}, color::dim, text);
     }

@@ -32,7 +32,7 @@ void drawProbedPixel(const Session& session, const Pictures& pictures, const Pan
         const float radius = ImGui::GetFontSize() * 0.4F;
         draw.AddCircle(at, radius, color::shade, 0, radius * 0.7F);
         draw.AddCircle(at, radius, color::probed, 0, radius * 0.3F);
-        noteDrawn("pinned pixel", at, at);
+        noteDrawn(N_("pinned pixel"), at, at);
     }
     if (!asked.pixel)
         return;
@@ -55,7 +55,7 @@ void drawProbedPixel(const Session& session, const Pictures& pictures, const Pan
         draw.AddLine({middle.x, middle.y - far}, {middle.x, middle.y - half}, tint, width);
         draw.AddLine({middle.x, middle.y + half}, {middle.x, middle.y + far}, tint, width);
     }
-    noteDrawn("explained pixel", middle, middle);
+    noteDrawn(N_("explained pixel"), middle, middle);
 }
 
 } // namespace texplorer::ui

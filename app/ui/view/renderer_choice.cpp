@@ -5,8 +5,6 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 
-#include <fmt/core.h>
-
 #include <functional>
 #include <vector>
 
@@ -14,10 +12,10 @@ namespace texplorer::ui {
 
 namespace {
 
-constexpr const char* compareHelp = "Two renderers in one picture, or all of them with the difference.";
-constexpr const char* nothingToCompare = "Only one renderer is available.";
+constexpr const char* compareHelp = N_("Two renderers in one picture, or all of them with the difference.");
+constexpr const char* nothingToCompare = N_("Only one renderer is available.");
 
-constexpr const char* compareWords = "Compare";
+constexpr const char* compareWords = N_("Compare");
 
 std::string wordsOf(const EnumRow& renderer, RendererForm form) {
     return std::string(form == RendererForm::Buttons ? renderer.label : briefOf(renderer));

@@ -24,10 +24,10 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr const char* cameraEdit = "Move camera"; // never sealed: moving the camera is one undo step
+constexpr const char* cameraEdit = N_("Move camera"); // never sealed: moving the camera is one undo step
 
-constexpr const char* frameLabel = "Frame";
-constexpr const char* frameHelp = "Moves the camera so that all models are in view (F or double click)";
+constexpr const char* frameLabel = N_("Frame");
+constexpr const char* frameHelp = N_("Moves the camera so that all models are in view (F or double click)");
 constexpr const char* moreLabel = "…";
 
 /// The choices of the tool row that do not fit, and Frame.
@@ -83,7 +83,8 @@ void toolRow(const Session& session, const Layout& layout) {
     ImGui::SetCursorPosX(std::max(left, right - buttonWidth(last) - choice));
     drawShownChoice(session);
     ImGui::SameLine(0, gap);
-    const bool pressed = button(last, fits ? "frame" : "more choices", fits ? frameHelp : "More controls");
+    const bool pressed =
+        button(last, fits ? "frame" : N_("more choices"), fits ? frameHelp : N_("More controls"));
     if (pressed && fits)
         frameAll(session, layout);
     else if (pressed)
@@ -196,7 +197,7 @@ void drawHoverRing(const Session& session, const Layout& layout, const Panes& pa
         return;
     const float em = ImGui::GetFontSize();
     const ImVec2 at = panes.shareToWindow(pane, *place);
-    noteDrawn("hovered vertex", at, at);
+    noteDrawn(N_("hovered vertex"), at, at);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddCircle(at, em * 0.5F, color::shade, 24, em * 0.3F);
     draw.AddCircle(at, em * 0.5F, color::chosen, 24, em * 0.13F);
@@ -234,13 +235,13 @@ struct ViewHint {
     const char* words;
     const char* key = ""; ///< that a lesson may use
 };
-constexpr std::array hints{ViewHint{"Hold E: explain", "E"},
-                           ViewHint{"Drag: orbit"},
-                           ViewHint{"Wheel: zoom"},
-                           ViewHint{"Right drag: pan"},
-                           ViewHint{"M: magnifier", "M"},
-                           ViewHint{"Click: select a vertex"},
-                           ViewHint{"Ctrl + wheel: enlarge the pixels"}};
+constexpr std::array hints{ViewHint{N_("Hold E: explain"), "E"},
+                           ViewHint{N_("Drag: orbit")},
+                           ViewHint{N_("Wheel: zoom")},
+                           ViewHint{N_("Right drag: pan")},
+                           ViewHint{N_("M: magnifier"), "M"},
+                           ViewHint{N_("Click: select a vertex")},
+                           ViewHint{N_("Ctrl + wheel: enlarge the pixels")}};
 
 Sentence hintsFor(const Session& session, float available) {
     Sentence line;
@@ -305,7 +306,7 @@ void hoverVertex(const Session& session, std::optional<PickedVertex> vertex) {
 } // namespace
 
 void drawViewPanel(const Session& session, const Pictures& pictures, const Layout& layout) {
-    beginPanel("View", layout.view, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    beginPanel(N_("View"), layout.view, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     toolRow(session, layout);
 
     const Panes panes(layout, session.view, pictures.frames.front().frame.size);

@@ -39,7 +39,7 @@ void modelChoice(const Session& session, float minWidth, float maxWidth) {
     }
     noteItem("model choice");
     noteItem("model choice:" + shown);
-    const char* help = "The model whose values and vertices are shown";
+    const char* help = N_("The model whose values and vertices are shown");
     helpTip(shown == tr(chosen) ? Sentence(help) : Sentence("{0}\n{1}", chosen, help));
 }
 

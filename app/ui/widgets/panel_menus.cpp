@@ -11,7 +11,7 @@ namespace {
 
 void textureSpaceItems(const Session& session) {
     const Workspace& shown = session.settings.workspace;
-    if (menuChoice("Shown", shown.textureSpace))
+    if (menuChoice(N_("Shown"), shown.textureSpace))
         rearrange(session, [](Workspace& workspace) { workspace.textureSpace = !workspace.textureSpace; });
     if (menuItem("Maximised", tr("Double click"), true, maximisedOf(shown) == Maximised::TextureSpace))
         rearrange(session, [](Workspace& workspace) {
@@ -48,7 +48,7 @@ void textureSpaceTitle(const Session& session, float room) {
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         rearrange(session, [](Workspace& workspace) { toggleMaximised(workspace, Maximised::TextureSpace); });
     helpTip("Double click: maximises the panel, or restores it. Right click: more.");
-    if (ImGui::BeginPopupContextItem("texture space menu")) {
+    if (ImGui::BeginPopupContextItem(N_("texture space menu"))) {
         textureSpaceItems(session);
         ImGui::EndPopup();
     }
@@ -61,7 +61,7 @@ void tabMenuItems(const Session& session, Tab tab) {
         if (menuChoice(row.label, open && dockOf(shown, tab) == row.dock))
             rearrange(session, [tab, &row](Workspace& workspace) { moveTab(workspace, tab, row.dock); });
     }
-    if (menuChoice("Closed", !open))
+    if (menuChoice(N_("Closed"), !open))
         rearrange(session, [tab](Workspace& workspace) { closeTab(workspace, tab); });
     ImGui::Separator();
     const Maximised what = maximised(dockOf(shown, tab));
@@ -89,7 +89,7 @@ void dockMenuItems(const Session& session, Dock dock) {
 }
 
 void panelItems(const Session& session) {
-    if (menuChoice("Parameters", session.settings.workspace.parameters))
+    if (menuChoice(N_("Parameters"), session.settings.workspace.parameters))
         rearrange(session, [](Workspace& workspace) { workspace.parameters = !workspace.parameters; });
     menuOf("Texture space", [&] { textureSpaceItems(session); });
     ImGui::Separator();

@@ -36,20 +36,20 @@ void keyItems(const Session& session, const std::string& path) {
         if (rowItem(Sentence("Remove the key frame at {0:.2f} s", time), path, "key"))
             removeKey(session, *here);
     } else if (rowItem(Sentence("Add key frame at {0:.2f} s", time), path, "key",
-                       "Stores the present value at this time. The parameter moves from each key frame to "
-                       "the next. The timeline lists them.")) {
+                       N_("Stores the present value at this time. The parameter moves from each key frame to "
+                          "the next. The timeline lists them."))) {
         addKey(session, path, time);
     }
     if (!hasKeys(timeline, path))
         return;
-    if (rowItem("Show its key frames", path, "timeline"))
+    if (rowItem(N_("Show its key frames"), path, "timeline"))
         act(session, [](Session& changed) { changed.window.wantedTab = Tab::Timeline; });
-    if (rowItem("Remove its key frames", path, "no-keys", "The parameter keeps its present value."))
+    if (rowItem(N_("Remove its key frames"), path, "no-keys", N_("The parameter keeps its present value.")))
         removeKeys(session, path);
 }
 
-constexpr std::array sheetSides{std::pair("Vary on a sheet: rows", "rows"),
-                                std::pair("Vary on a sheet: columns", "columns")};
+constexpr std::array sheetSides{std::pair(N_("Vary on a sheet: rows"), "rows"),
+                                std::pair(N_("Vary on a sheet: columns"), "columns")};
 
 } // namespace
 
@@ -67,10 +67,10 @@ bool paramMenu(const Session& session, const ParamRow& row, const std::string& p
     const bool resets = rowItem(resetWords(row, initial), path, "reset", {}, changed);
     const bool isThere = isEssential(path);
     const bool pinned = isPinned(session.settings, path);
-    if (rowItem(pinned ? "Unpin from Essentials" : "Pin to Essentials", path, "pin",
-                isThere  ? "It is in Essentials already"
-                : pinned ? "Removes it from Essentials"
-                         : "Shows it at the end of Essentials, for the selected texture, unit or model",
+    if (rowItem(pinned ? N_("Unpin from Essentials") : N_("Pin to Essentials"), path, "pin",
+                isThere  ? N_("It is in Essentials already")
+                : pinned ? N_("Removes it from Essentials")
+                         : N_("Shows it at the end of Essentials, for the selected texture, unit or model"),
                 !isThere))
         act(session, [path](Session& s) { togglePin(s.settings, path); });
     keyItems(session, path);
@@ -79,7 +79,7 @@ bool paramMenu(const Session& session, const ParamRow& row, const std::string& p
         for (std::size_t side = 0; side < sheetSides.size(); ++side) {
             const auto& [words, name] = sheetSides[side];
             if (rowItem(words, path, name,
-                        "Shows the scene with each of its values on the sheet of variations."))
+                        N_("Shows the scene with each of its values on the sheet of variations.")))
                 act(session, [path, side](Session& s) { varyOnSheet(s, path, side); });
         }
     }

@@ -101,7 +101,7 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial, Tar
         }
     }
     if (row.kind == Kind::Int || row.kind == Kind::Float || row.kind == Kind::Vec3 || row.kind == Kind::Vec4)
-        add("Drag it, or double-click to type a number.", color::dim);
+        add(N_("Drag it, or double-click to type a number."), color::dim);
     if (problem)
         add(shownSentence(problem->sentence),
             problem->severity <= Severity::Warning ? color::problem : color::text);

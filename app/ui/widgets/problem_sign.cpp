@@ -55,9 +55,9 @@ void problemSign(const Session& session, const std::string& path, const Finding&
     ImGui::SetCursorPos(place);
     if (ImGui::InvisibleButton("sign", size))
         ImGui::OpenPopup("problem");
-    item(path + "#problem", problem.fixes.empty()
-                                ? shownSentence(problem.sentence)
-                                : Sentence("{0}\n{1}", shownSentence(problem.sentence), "Click: show fixes"));
+    item(path + "#problem", problem.fixes.empty() ? shownSentence(problem.sentence)
+                                                  : Sentence("{0}\n{1}", shownSentence(problem.sentence),
+                                                             N_("Click: show fixes")));
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowSizeConstraints({0, 0}, {em * 24, FLT_MAX});
     if (!ImGui::BeginPopup("problem"))

@@ -38,7 +38,7 @@ std::vector<Box> keptInSight(const ImGuiWindow& window) {
         if (popup.Window && (popup.Window->Flags & ImGuiWindowFlags_Modal) == 0)
             kept.push_back(boxOf(*popup.Window));
     }
-    const ImGuiWindow* view = ImGui::FindWindowByName("View");
+    const ImGuiWindow* view = ImGui::FindWindowByName(N_("View"));
     if (view && view->WasActive && window.RootWindow != view)
         kept.push_back(boxOf(*view));
     return kept;
@@ -47,7 +47,7 @@ std::vector<Box> keptInSight(const ImGuiWindow& window) {
 ImVec2 tipPlace(ImVec2 size) {
     const ImGuiWindow& window = *ImGui::GetCurrentWindowRead();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const ImGuiWindow* status = ImGui::FindWindowByName("Status");
+    const ImGuiWindow* status = ImGui::FindWindowByName(N_("Status"));
     const float gap = ImGui::GetStyle().ItemSpacing.y;
     const float lowest = (status ? status->Pos.y : display.y) - gap - size.y;
     const ImVec2 low = ImGui::GetItemRectMin();

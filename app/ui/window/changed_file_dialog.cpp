@@ -44,7 +44,7 @@ void drawDifferences(const std::vector<SceneChange>& changes, float width) {
     const float line = ImGui::GetFrameHeight();
     const float maxHeight = ImGui::GetIO().DisplaySize.y * 0.5F;
     const float height = std::min(maxHeight, line * static_cast<float>(changes.size() + 2));
-    if (!beginChangeTable({.from = "In the file", .to = "Here"}, {width, height}))
+    if (!beginChangeTable({.from = N_("In the file"), .to = N_("Here")}, {width, height}))
         return;
     for (const SceneChange& change : changes) {
         changedParam(change);
@@ -78,15 +78,15 @@ void drawChangedFile(const Session& session) {
         noteItem("changed:problem");
     }
     ImGui::Dummy({0, em * 0.3F});
-    endWithAnswers(
-        session,
-        {{"Keep mine", "changed:mine", overwriteTheirs, 0, "Overwrites the file with the scene shown here."},
-         {"Take theirs", "changed:theirs", useTheirs, 0,
-          "Replaces the scene by the one in the file. Undo restores yours.", changed->theirs.has_value()},
-         {"Save elsewhere", "changed:elsewhere", saveElsewhere, key::enter,
-          "Saves under another name and keeps the file.\n"
-          "Key Enter"}, // the action that loses nothing
-         {"Cancel", "changed:cancel", goBack, key::escape}});
+    endWithAnswers(session, {{N_("Keep mine"), "changed:mine", overwriteTheirs, 0,
+                              N_("Overwrites the file with the scene shown here.")},
+                             {N_("Take theirs"), "changed:theirs", useTheirs, 0,
+                              N_("Replaces the scene by the one in the file. Undo restores yours."),
+                              changed->theirs.has_value()},
+                             {N_("Save elsewhere"), "changed:elsewhere", saveElsewhere, key::enter,
+                              N_("Saves under another name and keeps the file.\n"
+                                 "Key Enter")}, // the action that loses nothing
+                             {N_("Cancel"), "changed:cancel", goBack, key::escape}});
 }
 
 } // namespace texplorer::ui

@@ -39,7 +39,8 @@ bool dialogButton(const char* words, std::string_view name) {
 }
 
 bool closeButton(std::string_view name) {
-    return dialogButton("Close", name) || isKeyPressed(key::escape, false) || isKeyPressed(key::enter, false);
+    return dialogButton(N_("Close"), name) || isKeyPressed(key::escape, false) ||
+           isKeyPressed(key::enter, false);
 }
 
 void closeDialog(const Session& session) {

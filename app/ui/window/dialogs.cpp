@@ -55,18 +55,19 @@ struct BrowserRow {
 };
 
 constexpr std::array browserRows{
-    BrowserRow{Dialog::OpenScene, "Open a scene", false, false,
+    BrowserRow{Dialog::OpenScene, N_("Open a scene"), false, false,
                [](Session& session, const auto& chosen, const auto&) { return openScene(session, chosen); }},
-    BrowserRow{Dialog::OpenImage, "Open an image", false, true, chooseImage},
-    BrowserRow{Dialog::SaveScene, "Save the scene", true, false, saveTo},
-    BrowserRow{Dialog::SaveAnswers, "Save my answers", true, false, writeAnswers,
+    BrowserRow{Dialog::OpenImage, N_("Open an image"), false, true, chooseImage},
+    BrowserRow{Dialog::SaveScene, N_("Save the scene"), true, false, saveTo},
+    BrowserRow{Dialog::SaveAnswers, N_("Save my answers"), true, false, writeAnswers,
                [](const Session&) { return std::string("answers.json"); }}, // never the scene's file
-    BrowserRow{Dialog::SaveSheet, "Save the sheet", true, false, saveSheet,
+    BrowserRow{Dialog::SaveSheet, N_("Save the sheet"), true, false, saveSheet,
                [](const Session& session) { return sheetFileName(session.document); }},
     BrowserRow{
-        Dialog::SaveProgram, "Export as program", true, false, saveProgram,
+        Dialog::SaveProgram, N_("Export as program"), true, false, saveProgram,
         [](const Session& session) { return programFileName(session.document, session.asking.flavour); }},
-    BrowserRow{Dialog::SaveRecording, "Save the animation", true, false, saveRecording, recordingFileName},
+    BrowserRow{Dialog::SaveRecording, N_("Save the animation"), true, false, saveRecording,
+               recordingFileName},
 };
 
 std::vector<std::string> imageExtensions() {
@@ -112,13 +113,13 @@ void drawDiscard(const Session& session) {
                                  : Sentence("Unsaved changes in {0}", ProperName{name})))
         return;
     text(std::holds_alternative<pending::Quit>(session.asking.pending)
-             ? "Save them before quitting?"
-             : "Save them before opening another scene?");
+             ? N_("Save them before quitting?")
+             : N_("Save them before opening another scene?"));
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
-    endWithAnswers(session,
-                   {{"Save", "discard:save", save, key::enter},
-                    {"Don't save", "discard:drop", finishPending},
-                    {"Cancel", "discard:cancel", [](Session& s) { s.asking.pending = {}; }, key::escape}});
+    endWithAnswers(
+        session, {{N_("Save"), "discard:save", save, key::enter},
+                  {N_("Don't save"), "discard:drop", finishPending},
+                  {N_("Cancel"), "discard:cancel", [](Session& s) { s.asking.pending = {}; }, key::escape}});
 }
 
 /// A picture by texshot is an image, too.
@@ -128,10 +129,10 @@ void drawPictureQuestion(const Session& session) {
     const std::string name = printable(session.asking.picture.file.filename().string());
     text(Sentence("{0} contains the scene that it was drawn from.", ProperName{name}));
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
-    endWithAnswers(session,
-                   {{"Open its scene", "picture:scene", askPictureScene, key::enter},
-                    {"Use it as an image", "picture:image", usePicture},
-                    {"Cancel", "picture:cancel", [](Session& s) { s.asking.picture = {}; }, key::escape}});
+    endWithAnswers(
+        session, {{N_("Open its scene"), "picture:scene", askPictureScene, key::enter},
+                  {N_("Use it as an image"), "picture:image", usePicture},
+                  {N_("Cancel"), "picture:cancel", [](Session& s) { s.asking.picture = {}; }, key::escape}});
 }
 
 /// One line per file with its reason: there may be hundreds.
@@ -140,7 +141,7 @@ void drawRefused(const Session& session) {
         return;
     const float em = ImGui::GetFontSize();
     const std::size_t count = session.asking.refused.size();
-    text(count == 1 ? "One file could not be opened. The others were opened."
+    text(count == 1 ? N_("One file could not be opened. The others were opened.")
                     : Sentence("{0} files could not be opened.", count));
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = std::min(em * 46, display.x * 0.9F);

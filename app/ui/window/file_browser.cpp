@@ -61,7 +61,8 @@ fs::path typedPath(const FileBrowser& browser) {
 /// The action of Enter, the button and a double click: open a folder, or choose a file.
 Browsing choose(FileBrowser& browser, fs::path& chosen) {
     if (browser.typed.empty()) {
-        browser.error = browser.saving ? "Type a name for the file." : "Choose a file, or type its path.";
+        browser.error =
+            browser.saving ? N_("Type a name for the file.") : N_("Choose a file, or type its path.");
         return Browsing::Open;
     }
     fs::path path = typedPath(browser);
@@ -211,8 +212,8 @@ bool entryList(const Session& session, FileBrowser& browser, const Pictures& pic
         }
     }
     if (!any) {
-        const char* words =
-            browser.saving ? "There are no files to replace here." : "There are no files to open here.";
+        const char* words = browser.saving ? N_("There are no files to replace here.")
+                                           : N_("There are no files to open here.");
         dimText(words);
         noteItem(fmt::format("browser:{}", words));
     }
@@ -288,7 +289,8 @@ Browsing drawFileBrowser(const Session& session, FileBrowser& browser, const Pic
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
     const ImVec2 size(std::min(em * 42, display.x * 0.94F), std::min(em * 32, display.y * 0.9F));
-    if (!beginModal(browser.title + "###browser", size))
+    const std::string title = browser.title + "###browser";
+    if (!beginModal(title, size))
         return Browsing::Open;
 
     Browsing result = Browsing::Open;
@@ -299,8 +301,8 @@ Browsing drawFileBrowser(const Session& session, FileBrowser& browser, const Pic
         result = choose(browser, chosen);
 
     if (browser.error.empty())
-        fittedText(browser.saving ? "Type a name, or choose a file to replace."
-                                  : "Choose a file or type its path. ↑ ↓ and Enter work too.",
+        fittedText(browser.saving ? N_("Type a name, or choose a file to replace.")
+                                  : N_("Choose a file or type its path. ↑ ↓ and Enter work too."),
                    color::dim);
     else {
         fittedText(browser.error, color::problem);
@@ -331,10 +333,10 @@ Browsing drawFileBrowser(const Session& session, FileBrowser& browser, const Pic
         const std::string extensions = fmt::format("{}", fmt::join(browser.extensions, " "));
         item("browser:all", Sentence("Lists all files, not only {0}", ProperName{extensions}));
     }
-    const char* verb = !browser.saving ? "Open" : browser.overwrites ? "Overwrite" : "Save";
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - dialogButtonWidth("Cancel") - dialogButtonWidth(verb) -
-                    ImGui::GetStyle().ItemSpacing.x);
-    if (dialogButton("Cancel", "browser:cancel") || isKeyPressed(key::escape, false))
+    const char* verb = !browser.saving ? N_("Open") : browser.overwrites ? N_("Overwrite") : N_("Save");
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - dialogButtonWidth(N_("Cancel")) -
+                    dialogButtonWidth(verb) - ImGui::GetStyle().ItemSpacing.x);
+    if (dialogButton(N_("Cancel"), "browser:cancel") || isKeyPressed(key::escape, false))
         result = Browsing::Cancelled;
     ImGui::SameLine();
     if (dialogButton(verb, "browser:ok"))

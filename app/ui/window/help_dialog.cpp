@@ -25,24 +25,25 @@ struct Line {
 };
 
 constexpr std::array mouseLines{
-    Line{"Drag", "orbit the camera"},
-    Line{"Shift + drag, right drag", "move the camera sideways"},
-    Line{"Wheel", "move nearer or farther"},
-    Line{"Click with Explain open", "explain the pixel under the mouse"},
-    Line{"Ctrl + wheel, Ctrl + drag", "enlarge and move the picture"},
-    Line{"Ctrl + wheel over other panels", "larger or smaller text"},
-    Line{"Click, Shift + click", "select the nearest vertex, select several"},
-    Line{"Double click", "frame all models"},
-    Line{"Right click on a setting",
-         "reset to GL's initial value, add a key frame, draw a sheet of its values, pin it"},
-    Line{"Double click on a number", "type it"},
+    Line{N_("Drag"), N_("orbit the camera")},
+    Line{N_("Shift + drag, right drag"), N_("move the camera sideways")},
+    Line{N_("Wheel"), N_("move nearer or farther")},
+    Line{N_("Click with Explain open"), N_("explain the pixel under the mouse")},
+    Line{N_("Ctrl + wheel, Ctrl + drag"), N_("enlarge and move the picture")},
+    Line{N_("Ctrl + wheel over other panels"), N_("larger or smaller text")},
+    Line{N_("Click, Shift + click"), N_("select the nearest vertex, select several")},
+    Line{N_("Double click"), N_("frame all models")},
+    Line{N_("Right click on a setting"),
+         N_("reset to GL's initial value, add a key frame, draw a sheet of its values, pin it")},
+    Line{N_("Double click on a number"), N_("type it")},
 };
 
 /// Keys that are not shortcuts: they need the pointer, or have an effect while held.
 constexpr std::array otherKeys{
-    Line{"Arrow keys, with Shift", "move the explained pixel by one, by ten"},
-    Line{"F6, Shift+F6", "next panel: arrows move between controls, Space activates them, Escape ends"},
-    Line{"Menu key, Shift+F10", "opens the menu of the focused control, as a right click does"},
+    Line{N_("Arrow keys, with Shift"), N_("move the explained pixel by one, by ten")},
+    Line{N_("F6, Shift+F6"),
+         N_("next panel: arrows move between controls, Space activates them, Escape ends")},
+    Line{N_("Menu key, Shift+F10"), N_("opens the menu of the focused control, as a right click does")},
 };
 
 struct Legend {
@@ -55,10 +56,10 @@ constexpr std::array legends{
     Legend{"t, y", color::t},
     Legend{"r, z", color::r},
     Legend{"q, w", color::q},
-    Legend{"selected vertex", color::chosen},
-    Legend{"explained pixel and its texels", color::probed},
-    Legend{"changed from the initial value", color::changed},
-    Legend{"a problem", color::problem},
+    Legend{N_("selected vertex"), color::chosen},
+    Legend{N_("explained pixel and its texels"), color::probed},
+    Legend{N_("changed from the initial value"), color::changed},
+    Legend{N_("a problem"), color::problem},
 };
 
 /// An action and its effect. Without an effect: a heading.
@@ -92,7 +93,7 @@ void addKeys(const Session& session, HelpRows& help) {
     for (const Line& line : otherKeys)
         help.push_back({line.keys, line.effect});
     if (!isTakenByLesson(session, "E"))
-        help.push_back({"hold E", "explain the pixel under the mouse"});
+        help.push_back({N_("hold E"), N_("explain the pixel under the mouse")});
 }
 
 /// The lesson's own keys, which have priority.
@@ -100,7 +101,7 @@ void addLessonKeys(const Session& session, HelpRows& help) {
     const std::optional<LessonRun>& run = session.lesson;
     if (!run || run->lesson.keys.empty())
         return;
-    help.push_back({"Keys of this lesson (override the others)", "", color::dim});
+    help.push_back({N_("Keys of this lesson (override the others)"), "", color::dim});
     for (const lesson::LessonKey& key : run->lesson.keys)
         help.push_back({std::string(lesson::signOfKey(key.key)), ProperName{run->text(key.label)}});
 }
@@ -108,15 +109,15 @@ void addLessonKeys(const Session& session, HelpRows& help) {
 HelpRows helpRows(const Session& session) {
     HelpRows help;
     addLessonKeys(session, help);
-    help.push_back({"Keys", "", color::dim});
+    help.push_back({N_("Keys"), "", color::dim});
     addKeys(session, help);
-    help.push_back({"Mouse", "", color::dim});
+    help.push_back({N_("Mouse"), "", color::dim});
     for (const Line& line : mouseLines)
         help.push_back({line.keys, line.effect});
-    help.push_back({"Over the texture space", "", color::dim});
+    help.push_back({N_("Over the texture space"), "", color::dim});
     for (const PlaneKeyRow& row : planeKeys)
         help.push_back({row.keys, row.effect, color::text, color::dim, true});
-    help.push_back({"Colours", "", color::dim});
+    help.push_back({N_("Colours"), "", color::dim});
     for (const Legend& legend : legends)
         help.push_back({"●", legend.text, legend.ink, legend.ink});
     return help;
@@ -291,9 +292,9 @@ void drawHelp(const Session& session) {
     if (!beginModal("Texplorer"))
         return;
     const char* intro =
-        "See what each texture parameter of OpenGL does: change it on the left, look at the result in the "
-        "middle and find the texture coordinates on the right. Point at anything: the lower edge of the "
-        "window explains it and shows its OpenGL call.";
+        N_("See what each texture parameter of OpenGL does: change it on the left, look at the result in the "
+           "middle and find the texture coordinates on the right. Point at anything: the lower edge of the "
+           "window explains it and shows its OpenGL call.");
     const ImGuiStyle& style = ImGui::GetStyle();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = display.x * 0.95F - 2 * style.WindowPadding.x;

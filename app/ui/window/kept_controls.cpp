@@ -23,19 +23,20 @@ struct KeptRow {
 };
 
 constexpr std::array keptRows{
-    KeptRow{"keep", "Keep as A", "Keep as A", "keep",
-            "Keeps the present scene as A, to compare later changes with it.", false, keepAsA},
-    KeptRow{"flip", "Show A", "A", "flip",
-            "Switches between A and the present scene. An edit switches back to the present scene.", true,
+    KeptRow{"keep", N_("Keep as A"), N_("Keep as A"), "keep",
+            N_("Keeps the present scene as A, to compare later changes with it."), false, keepAsA},
+    KeptRow{"flip", N_("Show A"), "A", "flip",
+            N_("Switches between A and the present scene. An edit switches back to the present scene."), true,
             flipKept, isKeptShown},
-    KeptRow{"split", "Split A and now", "A | now", "split", "Shows both in one picture. Drag the seam.", true,
-            splitKept, isKeptBeside},
-    KeptRow{"list", "Differences", nullptr, "", "Lists the differences from A. Each can be taken over.", true,
+    KeptRow{"split", N_("Split A and now"), N_("A | now"), "split",
+            N_("Shows both in one picture. Drag the seam."), true, splitKept, isKeptBeside},
+    KeptRow{"list", N_("Differences"), nullptr, "",
+            N_("Lists the differences from A. Each can be taken over."), true,
             [](Session& session) { session.window.wantedTab = Tab::Kept; }},
-    KeptRow{"take", "Take over all of A", nullptr, "",
-            "Restores A, seen from the present camera. Undo reverts it.", true,
+    KeptRow{"take", N_("Take over all of A"), nullptr, "",
+            N_("Restores A, seen from the present camera. Undo reverts it."), true,
             [](Session& session) { takeAllFromKept(session); }},
-    KeptRow{"forget", "Forget A", nullptr, "", "Ends the comparison.", true, forgetKept},
+    KeptRow{"forget", N_("Forget A"), nullptr, "", N_("Ends the comparison."), true, forgetKept},
 };
 
 bool isInRow(const Session& session, const KeptRow& row) {

@@ -18,10 +18,12 @@ struct NamedKey {
     int code;
 };
 constexpr std::array namedKeys{
-    NamedKey{"Up", key::up},       NamedKey{"Down", key::down},      NamedKey{"Left", key::left},
-    NamedKey{"Right", key::right}, NamedKey{"Page Up", key::pageUp}, NamedKey{"Page Down", key::pageDown},
-    NamedKey{"Home", key::home},   NamedKey{"End", key::end},        NamedKey{"Insert", key::insert},
-    NamedKey{"Delete", key::del},  NamedKey{"Space", key::space},
+    NamedKey{N_("Up"), key::up},          NamedKey{N_("Down"), key::down},
+    NamedKey{N_("Left"), key::left},      NamedKey{N_("Right"), key::right},
+    NamedKey{N_("Page Up"), key::pageUp}, NamedKey{N_("Page Down"), key::pageDown},
+    NamedKey{N_("Home"), key::home},      NamedKey{N_("End"), key::end},
+    NamedKey{N_("Insert"), key::insert},  NamedKey{N_("Delete"), key::del},
+    NamedKey{N_("Space"), key::space},
 };
 static_assert(std::ranges::equal(namedKeys, lesson::keyNames, {}, &NamedKey::name));
 

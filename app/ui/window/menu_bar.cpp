@@ -182,7 +182,7 @@ void fileItems(const Session& session, const Layout& layout, bool hasLessons) {
 void resetItem(const Session& session) {
     const Document& document = session.document;
     const std::size_t count = changesBetween(document.saved, document.scene).size();
-    if (menuItem(document.file.empty() ? "Reset to the start" : "Reset to the file", {}, count > 0))
+    if (menuItem(document.file.empty() ? "Reset to the start" : N_("Reset to the file"), {}, count > 0))
         resetToSaved(session);
     helpTip(count == 0 ? "The scene has not changed."
                        : Sentence("Reverts the changes of {0}. Undo restores them.",
@@ -261,11 +261,12 @@ void choiceItems(const Session& session, const char* title, const auto& rows, au
 /// Themes, text sizes, the place of help and full screen.
 void comfortItems(const Session& session, const Layout& layout) {
     const Settings& settings = session.settings;
-    choiceItems(session, "Theme", themeRows, &ThemeRow::theme, &Settings::theme);
-    choiceItems(session, "Language", languageRows, &LanguageRow::language, &Settings::language);
+    choiceItems(session, N_("Theme"), themeRows, &ThemeRow::theme, &Settings::theme);
+    choiceItems(session, N_("Language"), languageRows, &LanguageRow::language, &Settings::language);
     menuOf("Text size", [&] {
-        shortcutItem(session, layout, "Larger", "larger text", settings.textPercent < Settings::maxText);
-        shortcutItem(session, layout, "Smaller", "smaller text", settings.textPercent > Settings::minText);
+        shortcutItem(session, layout, "Larger", N_("larger text"), settings.textPercent < Settings::maxText);
+        shortcutItem(session, layout, "Smaller", N_("smaller text"),
+                     settings.textPercent > Settings::minText);
         shortcutItem(session, layout, "Usual", "usual text");
         ImGui::Separator();
         for (const int size : textSizes) {
@@ -273,11 +274,11 @@ void comfortItems(const Session& session, const Layout& layout) {
                 act(session, [size](Session& changed) { changed.settings.textPercent = size; });
         }
     });
-    if (menuChoice("Help in the status bar", settings.helpBelow))
+    if (menuChoice(N_("Help in the status bar"), settings.helpBelow))
         act(session, [](Session& changed) { changed.settings.helpBelow = !changed.settings.helpBelow; });
     helpTip("Explains what is under the pointer at the lower edge of the window, not in a tooltip.");
-    shortcutItem(session, layout, "Full screen", "full screen", true, session.window.fillsScreen);
-    shortcutItem(session, layout, "View alone", "view alone", true,
+    shortcutItem(session, layout, "Full screen", N_("full screen"), true, session.window.fillsScreen);
+    shortcutItem(session, layout, "View alone", N_("view alone"), true,
                  maximisedOf(settings.workspace) == Maximised::View);
 }
 
@@ -297,16 +298,17 @@ void viewItems(const Session& session, const Layout& layout) {
     }
     shortcutItem(session, layout, "Compare", "compare", canCompare(session.view),
                  comparesRenderers(session.view));
-    methodItems(session, "Anisotropy of the reference: {0}", &ViewSettings::anisotropy);
-    methodItems(session, "rho of the reference: {0}", &ViewSettings::rho);
+    methodItems(session, N_("Anisotropy of the reference: {0}"), &ViewSettings::anisotropy);
+    methodItems(session, N_("rho of the reference: {0}"), &ViewSettings::rho);
     ImGui::Separator();
     menuOf("Picture or false colours", [&] { shownItems(session); });
     shortcutItem(session, layout, "Magnifier", "magnifier", true, session.view.magnifies);
-    shortcutItem(session, layout, "Picture pixel for pixel", "pixel for pixel", session.view.zoom.factor > 1);
+    shortcutItem(session, layout, "Picture pixel for pixel", N_("pixel for pixel"),
+                 session.view.zoom.factor > 1);
     ImGui::Separator();
     presentingItems(session, layout);
     ImGui::Separator();
-    if (menuChoice("OpenGL's names", session.settings.glNames))
+    if (menuChoice(N_("OpenGL's names"), session.settings.glNames))
         act(session, [](Session& changed) { changed.settings.glNames = !changed.settings.glNames; });
     helpTip("Shows OpenGL's names for parameters and choices.");
     comfortItems(session, layout);
@@ -371,7 +373,7 @@ void drawMenuBar(const Session& session, const Layout& layout) {
         ImGuiStyleVar_FramePadding,
         {ImGui::GetStyle().FramePadding.x,
          std::max(0.0F, (static_cast<float>(layout.menu.height) - ImGui::GetFontSize()) / 2)});
-    beginPanel("Menu", layout.menu,
+    beginPanel(N_("Menu"), layout.menu,
                ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     if (ImGui::BeginMenuBar()) {
         ImGui::PopStyleVar();

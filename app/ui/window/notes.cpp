@@ -78,7 +78,7 @@ void noteField(const Session& session, std::size_t index, float width) {
         changeNote(session, index, [](ViewNotes& changed) { changed.wantsKeyboard = false; });
     }
     std::string words = notes.list[index].text;
-    textField("##words", words, ImGuiInputTextFlags_AutoSelectAll, "Text over the view");
+    textField("##words", words, ImGuiInputTextFlags_AutoSelectAll, N_("Text over the view"));
     shortenNote(words);
     noteItem("note:field");
     if (words != notes.list[index].text)

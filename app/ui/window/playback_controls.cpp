@@ -120,8 +120,8 @@ void drawPlaybackControls(const Session& session) {
         act(session,
             [](Session& changed) { changed.look.playback.playing = !changed.look.playback.playing; });
     helpTip(!animated          ? "Nothing moves. Add a rate, a spin or key frames."
-            : playback.playing ? "Pause (Space)"
-                               : "Play (Space)");
+            : playback.playing ? N_("Pause (Space)")
+                               : N_("Play (Space)"));
     ImGui::SameLine(0, 0);
     if (signButton("step", true, stepSign))
         act(session, [](Session& changed) {

@@ -42,7 +42,7 @@ void extentField(const Session& session, const char* id, int RecordingChoice::*e
 }
 
 void formatLine(const Session& session) {
-    lineName("Format");
+    lineName(N_("Format"));
     for (const animation::FormatRow& row : animation::formatRows) {
         if (&row != &animation::formatRows.front())
             ImGui::SameLine(0, ImGui::GetFontSize() * 0.8F);
@@ -50,20 +50,21 @@ void formatLine(const Session& session) {
             act(session, [&row](Session& changed) { changed.recording.format = row.format; });
         item(fmt::format("record:{}", row.name),
              row.format == animation::Format::Gif
-                 ? "Supported everywhere. At most 256 colours in each picture and 50 pictures a second."
-             : row.format == animation::Format::WebP ? "Supported by browsers. Small files without losses."
-                                                     : "An animated PNG without losses.");
+                 ? N_("Supported everywhere. At most 256 colours in each picture and 50 pictures a second.")
+             : row.format == animation::Format::WebP
+                 ? N_("Supported by browsers. Small files without losses.")
+                 : N_("An animated PNG without losses."));
     }
 }
 
 void lengthLines(const Session& session) {
     const RecordingChoice& choice = session.recording;
     const float inner = ImGui::GetStyle().ItemInnerSpacing.x;
-    lineName("Begins at");
+    lineName(N_("Begins at"));
     float begin = choice.begin;
     if (secondsField("##begin", begin, 0))
         act(session, [begin](Session& changed) { changed.recording.begin = begin; });
-    lineName("Length");
+    lineName(N_("Length"));
     float seconds = recordedSeconds(session);
     if (secondsField("##seconds", seconds, 0.01F))
         act(session, [seconds](Session& changed) { changed.recording.seconds = seconds; });
@@ -77,7 +78,7 @@ void lengthLines(const Session& session) {
              "Up to the last key frame. If its values are those of the first one, the animation loops "
              "smoothly.");
     }
-    lineName("Pictures a second");
+    lineName(N_("Pictures a second"));
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);
     float perSecond = choice.perSecond;
     if (ImGui::DragFloat("##perSecond", &perSecond, 0.2F, 1, 100, "%.4g", ImGuiSliderFlags_AlwaysClamp))
@@ -120,7 +121,7 @@ void drawRecord(const Session& session) {
     ImGui::Dummy({em * 34, 0}); // wide enough for its sentences
     formatLine(session);
     lengthLines(session);
-    lineName("Each picture");
+    lineName(N_("Each picture"));
     extentField(session, "##width", &RecordingChoice::width);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     ImGui::TextUnformatted("×");
@@ -131,15 +132,15 @@ void drawRecord(const Session& session) {
     summary(session, recording);
     const bool typing = ImGui::GetIO().WantTextInput;
     ImGui::BeginDisabled(!recording);
-    const bool goesOn = dialogButton("Choose a file…", "record:choose") ||
+    const bool goesOn = dialogButton(N_("Choose a file…"), "record:choose") ||
                         (recording && !typing && isKeyPressed(key::enter, false));
     ImGui::SameLine();
-    const bool copies = dialogButton("Copy command", "record:copy");
+    const bool copies = dialogButton(N_("Copy command"), "record:copy");
     ImGui::EndDisabled();
     helpTip("Copies a \"texshot animate\" command that writes the same file without a window, for scripts.");
     ImGui::SameLine();
     const bool stays =
-        dialogButton("Cancel", "record:cancel") || (!typing && isKeyPressed(key::escape, false));
+        dialogButton(N_("Cancel"), "record:cancel") || (!typing && isKeyPressed(key::escape, false));
     if (copies)
         act(session, copyCommand);
     if (goesOn || copies || stays) {

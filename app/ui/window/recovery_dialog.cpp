@@ -7,8 +7,6 @@
 #include "app/ui/window/dialog_parts.h"
 #include "texplorer/text/printable.h"
 
-#include <fmt/core.h>
-
 #include <array>
 #include <ctime>
 
@@ -54,14 +52,14 @@ void drawRestore(const Session& session, const Pictures& pictures) {
     ImGui::PushTextWrapPos(em * 22);
     if (readable) {
         const std::filesystem::path& file = offer.draft->file;
-        text(file.empty() ? "A scene had unsaved changes when its window closed unexpectedly."
+        text(file.empty() ? N_("A scene had unsaved changes when its window closed unexpectedly.")
                           : Sentence("{0} had unsaved changes when its window closed unexpectedly.",
                                      ProperName{printable(file.filename().string())}));
         noteItem("restore:name");
         if (!file.empty())
             ImGui::TextDisabled("%s", printable(file.string()).c_str());
     } else {
-        text("A window closed unexpectedly with unsaved changes, and their copy can't be read.");
+        text(N_("A window closed unexpectedly with unsaved changes, and their copy can't be read."));
         plainText(printable(tr(describe(offer.draft.error()))), color::problem);
         noteItem("restore:error");
     }
@@ -75,15 +73,15 @@ void drawRestore(const Session& session, const Pictures& pictures) {
     ImGui::Dummy({0, em * 0.3F});
     std::vector<DialogAnswer> answers; // after it the dialog opens for the next one
     if (readable)
-        answers.push_back({"Restore", "restore:restore",
+        answers.push_back({N_("Restore"), "restore:restore",
                            [](Session& s) { restoreUnsaved(s, workers(s).unsaved->recovery.restore()); },
                            key::enter});
     if (offer.place.isOpen())
-        answers.push_back({"Discard", "restore:discard",
+        answers.push_back({N_("Discard"), "restore:discard",
                            [](Session& s) { workers(s).unsaved->recovery.discard(); }, 0,
-                           "Deletes it permanently."});
-    answers.push_back({"Later", "restore:later", [](Session& s) { workers(s).unsaved->recovery.later(); },
-                       key::escape, "Asks again at the next start."});
+                           N_("Deletes it permanently.")});
+    answers.push_back({N_("Later"), "restore:later", [](Session& s) { workers(s).unsaved->recovery.later(); },
+                       key::escape, N_("Asks again at the next start.")});
     endWithAnswers(session, answers);
 }
 

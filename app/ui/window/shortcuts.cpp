@@ -49,7 +49,7 @@ void letGo(Session& session, const Layout& /*layout*/) {
 void pasteScene(Session& session) {
     const char* text = ImGui::GetClipboardText();
     if (!text || !isSceneLink(text))
-        return say(session, "The clipboard has no link to a scene.");
+        return say(session, N_("The clipboard has no link to a scene."));
     if (const Result<void> opened = openSceneLink(session, text); !opened)
         say(session, Sentence("The scene can't be pasted: {0}.", describe(opened.error())));
 }
@@ -76,63 +76,64 @@ void walkKeys(Session& session) {
 }
 
 constexpr std::array shortcutRows{
-    Shortcut{"undo", 'Z', true, false, "undo the last edit", asks<Undo>, true},
-    Shortcut{"redo", 'Z', true, true, "redo the last undone edit", asks<Redo>, true},
-    Shortcut{"", 'Y', true, false, "redo the last undone edit", asks<Redo>, true},
-    Shortcut{"new scene", 'N', true, false, "start a new scene", runs<askNewScene>},
-    Shortcut{"open scene", 'O', true, false, "open a scene", runs<askOpenScene>},
-    Shortcut{"open image", 'I', true, false, "open an image",
+    Shortcut{"undo", 'Z', true, false, N_("undo the last edit"), asks<Undo>, true},
+    Shortcut{"redo", 'Z', true, true, N_("redo the last undone edit"), asks<Redo>, true},
+    Shortcut{"", 'Y', true, false, N_("redo the last undone edit"), asks<Redo>, true},
+    Shortcut{N_("new scene"), 'N', true, false, N_("start a new scene"), runs<askNewScene>},
+    Shortcut{N_("open scene"), 'O', true, false, N_("open a scene"), runs<askOpenScene>},
+    Shortcut{N_("open image"), 'I', true, false, N_("open an image"),
              [](Session& s, const Layout&) { askOpenImage(s); }},
-    Shortcut{"save", 'S', true, false, "save the scene", runs<save>},
-    Shortcut{"save as", 'S', true, true, "save under another name", runs<askSaveAs>},
-    Shortcut{"paste", 'V', true, false, "open the scene of a link in the clipboard", runs<pasteScene>},
-    Shortcut{"search", 'F', true, false, "search the parameters",
+    Shortcut{"save", 'S', true, false, N_("save the scene"), runs<save>},
+    Shortcut{N_("save as"), 'S', true, true, N_("save under another name"), runs<askSaveAs>},
+    Shortcut{"paste", 'V', true, false, N_("open the scene of a link in the clipboard"), runs<pasteScene>},
+    Shortcut{"search", 'F', true, false, N_("search the parameters"),
              [](Session& s, const Layout&) { s.out.wantsSearch = true; }},
-    Shortcut{"quit", 'Q', true, false, "quit Texplorer", runs<requestQuit>},
-    Shortcut{"play", key::space, false, false, "play or pause",
+    Shortcut{"quit", 'Q', true, false, N_("quit Texplorer"), runs<requestQuit>},
+    Shortcut{"play", key::space, false, false, N_("play or pause"),
              [](Session& s, const Layout&) { s.look.playback.playing = !s.look.playback.playing; }},
-    Shortcut{"previous-key", ',', false, false, "go to the previous key frame", runs<walkKeys<-1>>, true},
-    Shortcut{"next-key", '.', false, false, "go to the next key frame", runs<walkKeys<1>>, true},
-    Shortcut{"fixed", '1', false, false, "draw with OpenGL's fixed function", drawBy<RendererKind::Fixed>},
-    Shortcut{"shader", '2', false, false, "draw with shaders", drawBy<RendererKind::Shader>},
-    Shortcut{"reference", '3', false, false, "draw with the reference", drawBy<RendererKind::Reference>},
-    Shortcut{"compare", '4', false, false, "compare two renderers",
+    Shortcut{"previous-key", ',', false, false, N_("go to the previous key frame"), runs<walkKeys<-1>>, true},
+    Shortcut{"next-key", '.', false, false, N_("go to the next key frame"), runs<walkKeys<1>>, true},
+    Shortcut{"fixed", '1', false, false, N_("draw with OpenGL's fixed function"),
+             drawBy<RendererKind::Fixed>},
+    Shortcut{"shader", '2', false, false, N_("draw with shaders"), drawBy<RendererKind::Shader>},
+    Shortcut{"reference", '3', false, false, N_("draw with the reference"), drawBy<RendererKind::Reference>},
+    Shortcut{"compare", '4', false, false, N_("compare two renderers"),
              [](Session& s, const Layout&) { showComparison(s.view); }},
-    Shortcut{"keep", 'K', false, false, "keep the scene as A", runs<keepAsA>},
-    Shortcut{"flip", 'T', false, false, "switch between A and now", runs<flipKept>},
-    Shortcut{"split", 'T', false, true, "split A and now", runs<splitKept>},
-    Shortcut{"magnifier", 'M', false, false, "magnifier: the pixels under the mouse and their colours",
+    Shortcut{"keep", 'K', false, false, N_("keep the scene as A"), runs<keepAsA>},
+    Shortcut{"flip", 'T', false, false, N_("switch between A and now"), runs<flipKept>},
+    Shortcut{"split", 'T', false, true, N_("split A and now"), runs<splitKept>},
+    Shortcut{"magnifier", 'M', false, false, N_("magnifier: the pixels under the mouse and their colours"),
              [](Session& s, const Layout&) { s.view.magnifies = !s.view.magnifies; }},
-    Shortcut{"pixel for pixel", '0', false, false, "reset the enlargement",
+    Shortcut{N_("pixel for pixel"), '0', false, false, N_("reset the enlargement"),
              [](Session& s, const Layout&) { s.view.zoom = {}; }},
-    Shortcut{"note", 'N', false, false, "add a note over the view at the pointer", addNoteAtPointer},
-    Shortcut{"spotlight", 'L', false, false, "spotlight: dim everything except near the pointer",
+    Shortcut{"note", 'N', false, false, N_("add a note over the view at the pointer"), addNoteAtPointer},
+    Shortcut{"spotlight", 'L', false, false, N_("spotlight: dim everything except near the pointer"),
              [](Session& s, const Layout&) { s.window.spotlight = !s.window.spotlight; }},
-    Shortcut{"frame", 'F', false, false, "frame all models",
+    Shortcut{"frame", 'F', false, false, N_("frame all models"),
              [](Session& s, const Layout& layout) { frameAll(s, layout); }},
-    Shortcut{"reset camera", key::home, false, false, "reset the camera",
+    Shortcut{N_("reset camera"), key::home, false, false, N_("reset the camera"),
              [](Session& s, const Layout& layout) { resetCamera(s, layout); }},
     Shortcut{
-        "let go", key::escape, false, false,
-        "release the spotlight, the maximised panel, the picked texel, the pinned pixel or the explained "
-        "pixel",
+        N_("let go"), key::escape, false, false,
+        N_("release the spotlight, the maximised panel, the picked texel, the pinned pixel or the explained "
+           "pixel"),
         letGo},
-    Shortcut{"larger text", '=', true, false, "larger text", runs<resizeText<1>>, true},
-    Shortcut{"", '=', true, true, "larger text", runs<resizeText<1>>, true},
-    Shortcut{"", key::keypadPlus, true, false, "larger text", runs<resizeText<1>>, true},
-    Shortcut{"smaller text", '-', true, false, "smaller text", runs<resizeText<-1>>, true},
-    Shortcut{"", key::keypadMinus, true, false, "smaller text", runs<resizeText<-1>>, true},
-    Shortcut{"usual text", '0', true, false, "text of normal size",
+    Shortcut{N_("larger text"), '=', true, false, N_("larger text"), runs<resizeText<1>>, true},
+    Shortcut{"", '=', true, true, N_("larger text"), runs<resizeText<1>>, true},
+    Shortcut{"", key::keypadPlus, true, false, N_("larger text"), runs<resizeText<1>>, true},
+    Shortcut{N_("smaller text"), '-', true, false, N_("smaller text"), runs<resizeText<-1>>, true},
+    Shortcut{"", key::keypadMinus, true, false, N_("smaller text"), runs<resizeText<-1>>, true},
+    Shortcut{N_("usual text"), '0', true, false, N_("text of normal size"),
              [](Session& s, const Layout&) { s.settings.textPercent = Settings{}.textPercent; }},
-    Shortcut{"view alone", key::tab, false, false, "show only the view, and back",
+    Shortcut{N_("view alone"), key::tab, false, false, N_("show only the view, and back"),
              [](Session& s, const Layout&) { toggleMaximised(s.settings.workspace, Maximised::View); }},
-    Shortcut{"full screen", key::f11, false, false, "full screen",
+    Shortcut{N_("full screen"), key::f11, false, false, N_("full screen"),
              [](Session& s, const Layout&) { s.window.fillsScreen = !s.window.fillsScreen; }},
-    Shortcut{"window picture", key::f12, false, false, "write a picture of the window",
+    Shortcut{N_("window picture"), key::f12, false, false, N_("write a picture of the window"),
              [](Session& s, const Layout&) { s.window.wantedCapture = Capture::Window; }},
-    Shortcut{"view picture", key::f12, false, true, "write a picture of the view",
+    Shortcut{N_("view picture"), key::f12, false, true, N_("write a picture of the view"),
              [](Session& s, const Layout&) { s.window.wantedCapture = Capture::View; }},
-    Shortcut{"help", key::f1, false, false, "keys and mouse",
+    Shortcut{"help", key::f1, false, false, N_("keys and mouse"),
              [](Session& s, const Layout&) { s.asking.dialog = Dialog::Help; }},
 };
 
@@ -142,10 +143,10 @@ struct KeyName {
 };
 
 constexpr std::array keyNames{
-    KeyName{key::space, "Space"},
-    KeyName{key::escape, "Escape"},
-    KeyName{key::tab, "Tab"},
-    KeyName{key::home, "Home"},
+    KeyName{key::space, N_("Space")},
+    KeyName{key::escape, N_("Escape")},
+    KeyName{key::tab, N_("Tab")},
+    KeyName{key::home, N_("Home")},
     KeyName{'=', "+"},
     KeyName{'-', "−"},
     KeyName{key::keypadPlus, "+"},
@@ -175,9 +176,9 @@ const Shortcut& shortcutOf(std::string_view name) {
 std::string labelOf(const Shortcut& shortcut) {
     std::string label;
     if (shortcut.control)
-        label += "Ctrl+";
+        label += N_("Ctrl+");
     if (shortcut.shift)
-        label += "Shift+";
+        label += N_("Shift+");
     return label + tr(nameOfKey(shortcut.key));
 }
 

@@ -105,7 +105,7 @@ void drawFinding(const Session& session, const Finding& finding, std::size_t cou
     noteItem("finding");
     if (ImGui::IsItemHovered())
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    helpTip(Sentence("{0}\n{1}\n{2}", ProperName{finding.path}, sentence, "Click: show the setting"));
+    helpTip(Sentence("{0}\n{1}\n{2}", ProperName{finding.path}, sentence, N_("Click: show the setting")));
     if (ImGui::IsItemClicked())
         act(session, [path = finding.path](Session& s) { reveal(s, path); });
 }
@@ -125,7 +125,8 @@ Sentence factsOf(std::span<const ViewFrame> frames, const view::Capabilities& ca
     facts.emplace_back(ProperName{fmt::format("{} × {}", first.frame.size.width, first.frame.size.height)});
     for (const ViewFrame& view : frames) {
         if (showsTime)
-            facts.push_back(view.whole ? Sentence("{0:.1f} ms", view.frame.milliseconds) : "still drawing");
+            facts.push_back(view.whole ? Sentence("{0:.1f} ms", view.frame.milliseconds)
+                                       : N_("still drawing"));
     }
     return Sentence::joined("{0} · {1}", facts);
 }
@@ -134,7 +135,7 @@ Sentence factsOf(std::span<const ViewFrame> frames, const view::Capabilities& ca
 Sentence hostText(const view::Capabilities& capabilities, const view::OfferedRenderers& offered) {
     std::vector<Sentence> lines;
     if (capabilities.version.empty()) {
-        lines.push_back("No OpenGL");
+        lines.push_back(N_("No OpenGL"));
     } else {
         lines = {ProperName{capabilities.vendor}, ProperName{capabilities.renderer},
                  Sentence("OpenGL {0}", ProperName{capabilities.version}),
@@ -212,7 +213,7 @@ void drawStatusBar(const Session& session, const Pictures& pictures, const view:
     const float em = ImGui::GetFontSize();
     const float top = (static_cast<float>(layout.status.height) - em) / 2;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ImGui::GetStyle().WindowPadding.x, top});
-    beginBar("Status", layout.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    beginBar(N_("Status"), layout.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     const float left = ImGui::GetCursorPosX();
     const float right = ImGui::GetContentRegionMax().x;

@@ -23,21 +23,23 @@ struct TourRow {
 };
 
 constexpr std::array tourRows{
-    TourRow{&Layout::parameters, "Change it here",
-            "Every setting of a texture has a row: filters, wrap modes, environment, coordinates. Drag "
-            "numbers, click choices. Point at anything, and the lower edge of the window explains it."},
-    TourRow{&Layout::view, "See it here",
-            "OpenGL draws the scene with these settings. Drag to turn it, use the wheel to move nearer, "
-            "click a corner to select its vertex."},
-    TourRow{&Layout::texture, "Find the coordinates",
-            "The texture and the places of the vertices on it. Drag a vertex: beyond 0 and 1 the wrap mode "
-            "decides what is shown."},
-    TourRow{&Layout::view, "Ask why",
-            "Hold E over a pixel: Explain shows every number between the scene and its colour, and the "
-            "lower edge shows what the filter does there."},
-    TourRow{&Layout::menu, "Try, compare, undo",
-            "Presets change several settings at once. A/B keeps the scene and switches between then and now. "
-            "Ctrl+Z undoes any edit, and F1 lists all keys."},
+    TourRow{&Layout::parameters, N_("Change it here"),
+            N_("Every setting of a texture has a row: filters, wrap modes, environment, coordinates. Drag "
+               "numbers, click choices. Point at anything, and the lower edge of the window explains it.")},
+    TourRow{&Layout::view, N_("See it here"),
+            N_("OpenGL draws the scene with these settings. Drag to turn it, use the wheel to move nearer, "
+               "click a corner to select its vertex.")},
+    TourRow{
+        &Layout::texture, N_("Find the coordinates"),
+        N_("The texture and the places of the vertices on it. Drag a vertex: beyond 0 and 1 the wrap mode "
+           "decides what is shown.")},
+    TourRow{&Layout::view, N_("Ask why"),
+            N_("Hold E over a pixel: Explain shows every number between the scene and its colour, and the "
+               "lower edge shows what the filter does there.")},
+    TourRow{
+        &Layout::menu, N_("Try, compare, undo"),
+        N_("Presets change several settings at once. A/B keeps the scene and switches between then and now. "
+           "Ctrl+Z undoes any edit, and F1 lists all keys.")},
 };
 static_assert(tourRows.size() == tourSteps);
 
@@ -85,7 +87,7 @@ std::optional<int> drawCard(int step, const TourRow& row) {
     };
     const bool last = step + 1 == tourSteps;
     button("Previous", step - 1, step > 0);
-    button(last ? "Done" : "Next", step + 1, true);
+    button(last ? N_("Done") : N_("Next"), step + 1, true);
     if (!last)
         button("Skip", tourSteps, true);
     ImGui::NewLine();
@@ -114,7 +116,7 @@ void drawTour(const Session& session, const Layout& layout, bool takesEscape) {
     else
         ImGui::SetNextWindowPos(cardPlace(about, layout.window, guess, em));
     std::optional<int> wanted;
-    if (ImGui::Begin("Tour", nullptr,
+    if (ImGui::Begin(N_("Tour"), nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings))
         wanted = drawCard(step, row);

@@ -48,21 +48,21 @@ float shareOf(int length, float way, int whole) {
 }
 
 constexpr std::array seamRows{
-    SeamRow{"left seam", &Layout::leftSeam, true, &Seams::parameters,
+    SeamRow{N_("left seam"), &Layout::leftSeam, true, &Seams::parameters,
             [](const Layout& layout, float way) {
                 return std::max(minColumn,
                                 (static_cast<float>(layout.parameters.width) + way) / layout.scale);
             }},
-    SeamRow{"right seam", &Layout::rightSeam, true, &Seams::details,
+    SeamRow{N_("right seam"), &Layout::rightSeam, true, &Seams::details,
             [](const Layout& layout, float way) {
                 const int width = layout.window.right() - layout.rightSeam.right();
                 return std::max(minColumn, (static_cast<float>(width) - way) / layout.scale);
             }},
-    SeamRow{"middle seam", &Layout::middleSeam, false, &Seams::split,
+    SeamRow{N_("middle seam"), &Layout::middleSeam, false, &Seams::split,
             [](const Layout& layout, float way) {
                 return shareOf(layout.texture.height, way, layout.texture.height + layout.rightDock.height);
             }},
-    SeamRow{"below seam", &Layout::belowSeam, false, &Seams::below,
+    SeamRow{N_("below seam"), &Layout::belowSeam, false, &Seams::below,
             [](const Layout& layout, float way) {
                 return shareOf(layout.belowDock.height, -way, layout.status.y - layout.menu.bottom());
             }},

@@ -134,7 +134,7 @@ Result<void> paintRle(ByteView codes, Header& header, bmp::Palette& palette, Ima
             Sentence("the run-length codes skip {0}; these have the palette's first colour",
                      Sentence::plural("{0} pixel", "{0} pixels", pixels - report.painted)));
     if (header.topDown)
-        header.notes.emplace_back("run-length coded pictures should not be top-down");
+        header.notes.emplace_back(N_("run-length coded pictures should not be top-down"));
     return {};
 }
 
@@ -155,18 +155,18 @@ void readFourthBytes(ByteView data, Header& header) {
         header.opaque = !used;
         header.remarks.emplace_back(
             used
-                ? "the pixels are not bit fields, but the header has an alpha mask: the fourth bytes are "
-                  "used as alpha"
-                : "the header has an alpha mask, but the fourth bytes of all pixels are 0: they are ignored");
+                ? N_("the pixels are not bit fields, but the header has an alpha mask: the fourth bytes are "
+                     "used as alpha")
+                : N_("the header has an alpha mask, but the fourth bytes of all pixels are 0: they are ignored"));
     } else if (all != any)
-        header.remarks.emplace_back(
-            "the fourth bytes of the pixels differ and may be alpha; without an alpha mask they are ignored");
+        header.remarks.emplace_back(N_(
+            "the fourth bytes of the pixels differ and may be alpha; without an alpha mask they are ignored"));
 }
 
 void noteOddMasks(Header& header) {
     const bmp::Masks& masks = header.masks;
     if (!std::ranges::all_of(masks, bmp::contiguous))
-        header.notes.emplace_back("the bits of a colour mask are not contiguous");
+        header.notes.emplace_back(N_("the bits of a colour mask are not contiguous"));
     std::uint32_t seen = 0;
     bool overlap = false;
     for (const std::uint32_t mask : masks) {
@@ -174,9 +174,9 @@ void noteOddMasks(Header& header) {
         seen |= mask;
     }
     if (overlap)
-        header.notes.emplace_back("colour masks overlap");
+        header.notes.emplace_back(N_("colour masks overlap"));
     if (header.bitsPerPixel == 16 && seen > 0xFFFF)
-        header.notes.emplace_back("a colour mask has bits that a 16-bit pixel lacks; they are ignored");
+        header.notes.emplace_back(N_("a colour mask has bits that a 16-bit pixel lacks; they are ignored"));
 }
 
 Result<Image> decodeIndexed(ByteView file, Header& header, const DecodeLimits& limits) {
@@ -243,7 +243,7 @@ Result<TextureImage> decodeBmp(ByteView file, const DecodeLimits& limits) {
         for (const std::uint32_t mask : header->masks)
             texture.componentBits = std::max(texture.componentBits, std::popcount(mask));
         if (bmp::hasColorSpace(file, *header))
-            texture.losses.push_back({"colorProfile", "the colour space of its header", false});
+            texture.losses.push_back({"colorProfile", N_("the colour space of its header"), false});
         return texture;
     } catch (const std::bad_alloc&) {
         return bmp::tooLarge(

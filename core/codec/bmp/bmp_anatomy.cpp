@@ -22,7 +22,7 @@ public:
     }
 
     Anatomy run() {
-        section("File header", 0, bmp::fileHeaderSize, "the beginning of every BMP");
+        section("File header", 0, bmp::fileHeaderSize, N_("the beginning of every BMP"));
         fields(bmp::fileHeaderFields(), bmp::fileHeaderSize);
         if (stopped())
             return std::move(anatomy_);
@@ -30,7 +30,7 @@ public:
                                          ? 4
                                          : std::size_t{header_.headerSize};
         section(std::string(bmp::headerName(header_.headerSize)), bmp::fileHeaderSize, infoSize,
-                "size and pixel format");
+                N_("size and pixel format"));
         fields(bmp::infoHeaderFields(header_.headerSize), bmp::fileHeaderSize + infoSize);
         if (infoSize == 4)
             stop(Sentence(
@@ -89,7 +89,7 @@ private:
         if (header_.masksPos == 0 || header_.headerSize != 40 || stopped())
             return;
         const std::uint64_t size = header_.palettePos - header_.masksPos;
-        section("Masks", header_.masksPos, size, "which bits of a pixel are red, green, blue and alpha");
+        section("Masks", header_.masksPos, size, N_("which bits of a pixel are red, green, blue and alpha"));
         fields(bmp::maskFields(), header_.palettePos);
     }
 
@@ -97,7 +97,7 @@ private:
         if (stopped() || header_.paletteEntries == 0) {
             if (!stopped() && header_.bitsPerPixel >= 1 && header_.bitsPerPixel <= 8)
                 anatomy_.fields.push_back(
-                    {header_.palettePos, 0, "Palette", "no entries", "",
+                    {header_.palettePos, 0, N_("Palette"), N_("no entries"), "",
                      Sentence("{0} a pixel need one, the pixels begin at offset {1}",
                               Sentence::plural("{0} bit", "{0} bits", header_.bitsPerPixel), header_.dataPos),
                      0});
@@ -110,10 +110,11 @@ private:
         if (header_.bitsPerPixel <= 8 && entries < max && header_.colorsUsed != entries)
             wrong = Sentence("expected {0} entries, but there is space for {1}",
                              header_.colorsUsed == 0 ? max : header_.colorsUsed, entries);
-        anatomy_.fields.push_back(
-            {header_.palettePos, size, "Palette", Sentence::plural("{0} entry", "{0} entries", entries),
-             header_.paletteEntryBytes == 3 ? "blue, green, red" : "blue, green, red, a reserved byte",
-             std::move(wrong), 0});
+        anatomy_.fields.push_back({header_.palettePos, size, N_("Palette"),
+                                   Sentence::plural("{0} entry", "{0} entries", entries),
+                                   header_.paletteEntryBytes == 3 ? N_("blue, green, red")
+                                                                  : N_("blue, green, red, a reserved byte"),
+                                   std::move(wrong), 0});
         // A palette of 256 says little more than its beginning and its end do.
         constexpr std::size_t shownInFull = 16;
         if (entries <= shownInFull) {
@@ -144,9 +145,9 @@ private:
         const std::uint64_t begin = header_.palettePos + header_.paletteEntries * header_.paletteEntryBytes;
         if (stopped() || header_.dataPos <= begin)
             return;
-        add({begin, header_.dataPos - begin, "Gap",
+        add({begin, header_.dataPos - begin, N_("Gap"),
              Sentence::plural("{0} byte", "{0} bytes", header_.dataPos - begin),
-             "not used; the pixels begin after it", "", 0});
+             N_("not used; the pixels begin after it"), "", 0});
     }
 
     void pixels() {
@@ -168,11 +169,11 @@ private:
             const std::uint64_t there = file_.size() - header_.dataPos;
             const std::uint64_t size = header_.imageSize == 0 ? there : header_.imageSize;
             return pixelData(size, bmp::compressionName(header_.compression, header_.headerSize),
-                             "an embedded file or another coding; not read");
+                             N_("an embedded file or another coding; not read"));
         }
         if (header_.bitsPerPixel < 1)
-            return stop("a pixel has at least one bit, this file has 0");
-        const char* order = header_.topDown ? "top row first" : "bottom row first";
+            return stop(N_("a pixel has at least one bit, this file has 0"));
+        const char* order = header_.topDown ? N_("top row first") : N_("bottom row first");
         pixelData(header_.pixelBytes(),
                   Sentence("{0} rows of {1}", header_.height,
                            Sentence::plural("{0} byte", "{0} bytes", header_.rowBytes())),
@@ -181,7 +182,8 @@ private:
 
     void pixelData(std::uint64_t size, Sentence value, Sentence meaning, Sentence wrong = {}) {
         pixelEnd_ = header_.dataPos + size;
-        add({header_.dataPos, size, "Pixel data", std::move(value), std::move(meaning), std::move(wrong), 0});
+        add({header_.dataPos, size, N_("Pixel data"), std::move(value), std::move(meaning), std::move(wrong),
+             0});
     }
 
     void runLengthCodes() {
@@ -223,8 +225,8 @@ private:
         const std::uint64_t size = reader.u32();
         if (size == 0 || offset == bmp::fileHeaderSize)
             return;
-        add({offset, size, "Colour profile", Sentence::plural("{0} byte", "{0} bytes", size),
-             "ICC profile or its file name; not used",
+        add({offset, size, N_("Colour profile"), Sentence::plural("{0} byte", "{0} bytes", size),
+             N_("ICC profile or its file name; not used"),
              offset < pixelEnd_ ? Sentence("begins before the pixels end, at offset {0}", pixelEnd_)
                                 : Sentence(),
              0});
@@ -237,8 +239,8 @@ private:
             (pixelEnd_ - header_.dataPos + 3) / 4 * 4 + header_.dataPos, file_.size());
         if (stopped() || end >= file_.size())
             return;
-        add({end, file_.size() - end, "Tail", Sentence::plural("{0} byte", "{0} bytes", file_.size() - end),
-             "not used", "", 0});
+        add({end, file_.size() - end, N_("Tail"),
+             Sentence::plural("{0} byte", "{0} bytes", file_.size() - end), N_("not used"), "", 0});
     }
 
     ByteView file_;

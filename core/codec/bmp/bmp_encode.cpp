@@ -149,7 +149,7 @@ Result<Bytes> encodeBmp(const TextureImage& texture, const WriteOptions& /*optio
             return encode(*image, texture.topFirst);
         return encode(toImage(surface), texture.topFirst);
     } catch (const std::bad_alloc&) {
-        return bmp::tooLarge("not enough memory for the file");
+        return bmp::tooLarge(N_("not enough memory for the file"));
     }
 }
 

@@ -2,8 +2,8 @@
 
 #include "texplorer/base/byte_reader.h"
 #include "texplorer/base/sentence.h"
+#include "texplorer/base/translatable.h"
 #include "texplorer/codec/bmp/bmp_bitfields.h"
-#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 
@@ -16,7 +16,7 @@ namespace texplorer::bmp {
 namespace {
 
 Sentence checkMagic(std::int64_t value, const FieldContext& /*context*/) {
-    return value == ('B' | 'M' << 8) ? "" : "expected \"BM\"";
+    return value == ('B' | 'M' << 8) ? "" : N_("expected \"BM\"");
 }
 
 Sentence checkFileSize(std::int64_t value, const FieldContext& context) {
@@ -27,7 +27,7 @@ Sentence checkFileSize(std::int64_t value, const FieldContext& context) {
 }
 
 Sentence checkZero(std::int64_t value, const FieldContext& /*context*/) {
-    return value == 0 ? "" : "expected 0";
+    return value == 0 ? "" : N_("expected 0");
 }
 
 Sentence checkDataPos(std::int64_t value, const FieldContext& context) {
@@ -42,22 +42,22 @@ Sentence checkDataPos(std::int64_t value, const FieldContext& context) {
 
 Sentence checkHeaderSize(std::int64_t value, const FieldContext& /*context*/) {
     return headerKind(static_cast<std::uint32_t>(value)) == HeaderKind::Unknown
-               ? "expected 12, 16 to 64, 108 or 124"
+               ? N_("expected 12, 16 to 64, 108 or 124")
                : "";
 }
 
 Sentence checkWidth(std::int64_t value, const FieldContext& /*context*/) {
-    return value >= 1 ? "" : "expected at least 1";
+    return value >= 1 ? "" : N_("expected at least 1");
 }
 
 Sentence checkHeight(std::int64_t value, const FieldContext& context) {
     if (value == 0)
-        return "expected at least 1, or at most -1 for the top row first";
-    return value < 0 && context.header.runLengthCoded() ? "run-length codes should not be top-down" : "";
+        return N_("expected at least 1, or at most -1 for the top row first");
+    return value < 0 && context.header.runLengthCoded() ? N_("run-length codes should not be top-down") : "";
 }
 
 Sentence checkPlanes(std::int64_t value, const FieldContext& /*context*/) {
-    return value == 1 ? "" : "expected 1";
+    return value == 1 ? "" : N_("expected 1");
 }
 
 Sentence checkBits(std::int64_t value, const FieldContext& context) {
@@ -65,13 +65,13 @@ Sentence checkBits(std::int64_t value, const FieldContext& context) {
     if (value == 0 && (compression == Compression::Jpeg || compression == Compression::Png))
         return {};
     constexpr std::array<std::int64_t, 7> known{1, 2, 4, 8, 16, 24, 32};
-    return std::ranges::find(known, value) == known.end() ? "expected 1, 4, 8, 16, 24 or 32" : "";
+    return std::ranges::find(known, value) == known.end() ? N_("expected 1, 4, 8, 16, 24 or 32") : "";
 }
 
 Sentence checkCompression(std::int64_t value, const FieldContext& context) {
     const unsigned bits = context.header.bitsPerPixel;
     if (value > 6)
-        return value >= 11 && value <= 13 ? "" : "expected 0 to 6";
+        return value >= 11 && value <= 13 ? "" : N_("expected 0 to 6");
     if (value == 1 && bits != 8)
         return Sentence("needs 8 bits a pixel, the file has {0}", bits);
     if (value == 2 && bits != 4)
@@ -112,92 +112,93 @@ Sentence checkMask(std::int64_t value, const FieldContext& context) {
     if (context.header.masksPos == 0)
         return {}; // not used
     if (!contiguous(mask))
-        return "its bits are not contiguous";
-    return context.header.bitsPerPixel == 16 && mask > 0xFFFF ? "a pixel has 16 bits" : "";
+        return N_("its bits are not contiguous");
+    return context.header.bitsPerPixel == 16 && mask > 0xFFFF ? N_("a pixel has 16 bits") : "";
 }
 
 constexpr std::array fileFields{
-    FieldRow{0, 2, "bfType", "the kind of file", Show::Letters, checkMagic},
-    FieldRow{2, 4, "bfSize", "size of the file in bytes", Show::Number, checkFileSize},
+    FieldRow{0, 2, "bfType", N_("the kind of file"), Show::Letters, checkMagic},
+    FieldRow{2, 4, "bfSize", N_("size of the file in bytes"), Show::Number, checkFileSize},
     FieldRow{6, 2, "bfReserved1", "", Show::Number, checkZero},
     FieldRow{8, 2, "bfReserved2", "", Show::Number, checkZero},
-    FieldRow{10, 4, "bfOffBits", "offset of the pixels", Show::Number, checkDataPos},
+    FieldRow{10, 4, "bfOffBits", N_("offset of the pixels"), Show::Number, checkDataPos},
 };
 
 constexpr std::array coreFields{
-    FieldRow{14, 4, "bcSize", "size of this header in bytes", Show::Number, checkHeaderSize},
-    FieldRow{18, 2, "bcWidth", "pixels in a row", Show::Number, checkWidth},
-    FieldRow{20, 2, "bcHeight", word("rows"), Show::Number, checkWidth},
+    FieldRow{14, 4, "bcSize", N_("size of this header in bytes"), Show::Number, checkHeaderSize},
+    FieldRow{18, 2, "bcWidth", N_("pixels in a row"), Show::Number, checkWidth},
+    FieldRow{20, 2, "bcHeight", N_("rows"), Show::Number, checkWidth},
     FieldRow{22, 2, "bcPlanes", "", Show::Number, checkPlanes},
-    FieldRow{24, 2, "bcBitCount", "bits a pixel", Show::Number, checkBits},
+    FieldRow{24, 2, "bcBitCount", N_("bits a pixel"), Show::Number, checkBits},
 };
 
 // Each longer Windows header begins with the shorter one. The names are the first header's that has a field.
 constexpr std::array windowsFields{
-    FieldRow{14, 4, "biSize", "size of this header in bytes", Show::Number, checkHeaderSize},
-    FieldRow{18, 4, "biWidth", "pixels in a row", Show::Signed, checkWidth},
-    FieldRow{22, 4, "biHeight", "rows; negative: the top row comes first", Show::Signed, checkHeight},
+    FieldRow{14, 4, "biSize", N_("size of this header in bytes"), Show::Number, checkHeaderSize},
+    FieldRow{18, 4, "biWidth", N_("pixels in a row"), Show::Signed, checkWidth},
+    FieldRow{22, 4, "biHeight", N_("rows; negative: the top row comes first"), Show::Signed, checkHeight},
     FieldRow{26, 2, "biPlanes", "", Show::Number, checkPlanes},
-    FieldRow{28, 2, "biBitCount", "bits a pixel", Show::Number, checkBits},
-    FieldRow{30, 4, "biCompression", "coding of the pixels", Show::Compression, checkCompression},
-    FieldRow{34, 4, "biSizeImage", "size of the pixels in bytes", Show::Number, checkImageSize},
-    FieldRow{38, 4, "biXPelsPerMeter", "pixels a metre, across", Show::Signed},
-    FieldRow{42, 4, "biYPelsPerMeter", "pixels a metre, up", Show::Signed},
-    FieldRow{46, 4, "biClrUsed", "palette entries; 0: as many as the bits can index", Show::Number,
+    FieldRow{28, 2, "biBitCount", N_("bits a pixel"), Show::Number, checkBits},
+    FieldRow{30, 4, "biCompression", N_("coding of the pixels"), Show::Compression, checkCompression},
+    FieldRow{34, 4, "biSizeImage", N_("size of the pixels in bytes"), Show::Number, checkImageSize},
+    FieldRow{38, 4, "biXPelsPerMeter", N_("pixels a metre, across"), Show::Signed},
+    FieldRow{42, 4, "biYPelsPerMeter", N_("pixels a metre, up"), Show::Signed},
+    FieldRow{46, 4, "biClrUsed", N_("palette entries; 0: as many as the bits can index"), Show::Number,
              checkColorsUsed},
-    FieldRow{50, 4, "biClrImportant", "important palette entries; 0: all", Show::Number,
+    FieldRow{50, 4, "biClrImportant", N_("important palette entries; 0: all"), Show::Number,
              checkColorsImportant},
-    FieldRow{54, 4, "biRedMask", "which bits of a pixel are red", Show::Mask, checkMask},
-    FieldRow{58, 4, "biGreenMask", "which bits of a pixel are green", Show::Mask, checkMask},
-    FieldRow{62, 4, "biBlueMask", "which bits of a pixel are blue", Show::Mask, checkMask},
-    FieldRow{66, 4, "biAlphaMask", "which bits of a pixel are alpha; 0: none", Show::Mask, checkMask},
-    FieldRow{70, 4, "bV4CSType", "colour space", Show::ColorSpace},
-    FieldRow{74, 4, "bV4RedX", "red in CIE XYZ", Show::Fixed30},
+    FieldRow{54, 4, "biRedMask", N_("which bits of a pixel are red"), Show::Mask, checkMask},
+    FieldRow{58, 4, "biGreenMask", N_("which bits of a pixel are green"), Show::Mask, checkMask},
+    FieldRow{62, 4, "biBlueMask", N_("which bits of a pixel are blue"), Show::Mask, checkMask},
+    FieldRow{66, 4, "biAlphaMask", N_("which bits of a pixel are alpha; 0: none"), Show::Mask, checkMask},
+    FieldRow{70, 4, "bV4CSType", N_("colour space"), Show::ColorSpace},
+    FieldRow{74, 4, "bV4RedX", N_("red in CIE XYZ"), Show::Fixed30},
     FieldRow{78, 4, "bV4RedY", "", Show::Fixed30},
     FieldRow{82, 4, "bV4RedZ", "", Show::Fixed30},
-    FieldRow{86, 4, "bV4GreenX", "green in CIE XYZ", Show::Fixed30},
+    FieldRow{86, 4, "bV4GreenX", N_("green in CIE XYZ"), Show::Fixed30},
     FieldRow{90, 4, "bV4GreenY", "", Show::Fixed30},
     FieldRow{94, 4, "bV4GreenZ", "", Show::Fixed30},
-    FieldRow{98, 4, "bV4BlueX", "blue in CIE XYZ", Show::Fixed30},
+    FieldRow{98, 4, "bV4BlueX", N_("blue in CIE XYZ"), Show::Fixed30},
     FieldRow{102, 4, "bV4BlueY", "", Show::Fixed30},
     FieldRow{106, 4, "bV4BlueZ", "", Show::Fixed30},
-    FieldRow{110, 4, "bV4GammaRed", "gamma of red", Show::Fixed16},
-    FieldRow{114, 4, "bV4GammaGreen", "gamma of green", Show::Fixed16},
-    FieldRow{118, 4, "bV4GammaBlue", "gamma of blue", Show::Fixed16},
-    FieldRow{122, 4, "bV5Intent", "rendering intent: 1 business, 2 graphics, 4 images, 8 absolute"},
-    FieldRow{126, 4, "bV5ProfileData", "offset of the profile, from offset 14"},
-    FieldRow{130, 4, "bV5ProfileSize", "size of the profile in bytes"},
+    FieldRow{110, 4, "bV4GammaRed", N_("gamma of red"), Show::Fixed16},
+    FieldRow{114, 4, "bV4GammaGreen", N_("gamma of green"), Show::Fixed16},
+    FieldRow{118, 4, "bV4GammaBlue", N_("gamma of blue"), Show::Fixed16},
+    FieldRow{122, 4, "bV5Intent", N_("rendering intent: 1 business, 2 graphics, 4 images, 8 absolute")},
+    FieldRow{126, 4, "bV5ProfileData", N_("offset of the profile, from offset 14")},
+    FieldRow{130, 4, "bV5ProfileSize", N_("size of the profile in bytes")},
     FieldRow{134, 4, "bV5Reserved", "", Show::Number, checkZero},
 };
 
 constexpr std::array os2Fields{
-    FieldRow{14, 4, "cbFix", "size of this header in bytes", Show::Number, checkHeaderSize},
-    FieldRow{18, 4, "cx", "pixels in a row", Show::Signed, checkWidth},
-    FieldRow{22, 4, "cy", word("rows"), Show::Signed, checkHeight},
+    FieldRow{14, 4, "cbFix", N_("size of this header in bytes"), Show::Number, checkHeaderSize},
+    FieldRow{18, 4, "cx", N_("pixels in a row"), Show::Signed, checkWidth},
+    FieldRow{22, 4, "cy", N_("rows"), Show::Signed, checkHeight},
     FieldRow{26, 2, "cPlanes", "", Show::Number, checkPlanes},
-    FieldRow{28, 2, "cBitCount", "bits a pixel", Show::Number, checkBits},
-    FieldRow{30, 4, "ulCompression", "coding of the pixels", Show::Compression, checkCompression},
-    FieldRow{34, 4, "cbImage", "size of the pixels in bytes", Show::Number, checkImageSize},
-    FieldRow{38, 4, "cxResolution", "pixels a metre, across"},
-    FieldRow{42, 4, "cyResolution", "pixels a metre, up"},
-    FieldRow{46, 4, "cclrUsed", "palette entries; 0: as many as the bits can index", Show::Number,
+    FieldRow{28, 2, "cBitCount", N_("bits a pixel"), Show::Number, checkBits},
+    FieldRow{30, 4, "ulCompression", N_("coding of the pixels"), Show::Compression, checkCompression},
+    FieldRow{34, 4, "cbImage", N_("size of the pixels in bytes"), Show::Number, checkImageSize},
+    FieldRow{38, 4, "cxResolution", N_("pixels a metre, across")},
+    FieldRow{42, 4, "cyResolution", N_("pixels a metre, up")},
+    FieldRow{46, 4, "cclrUsed", N_("palette entries; 0: as many as the bits can index"), Show::Number,
              checkColorsUsed},
-    FieldRow{50, 4, "cclrImportant", "important palette entries; 0: all", Show::Number, checkColorsImportant},
-    FieldRow{54, 2, "usUnits", "unit of the resolution; 0: pixels a metre", Show::Number, checkZero},
+    FieldRow{50, 4, "cclrImportant", N_("important palette entries; 0: all"), Show::Number,
+             checkColorsImportant},
+    FieldRow{54, 2, "usUnits", N_("unit of the resolution; 0: pixels a metre"), Show::Number, checkZero},
     FieldRow{56, 2, "usReserved", "", Show::Number, checkZero},
-    FieldRow{58, 2, "usRecording", "order of the rows; 0: bottom row first", Show::Number, checkZero},
-    FieldRow{60, 2, "usRendering", "halftoning; 0: none"},
-    FieldRow{62, 4, "cSize1", "of the halftoning"},
-    FieldRow{66, 4, "cSize2", "of the halftoning"},
+    FieldRow{58, 2, "usRecording", N_("order of the rows; 0: bottom row first"), Show::Number, checkZero},
+    FieldRow{60, 2, "usRendering", N_("halftoning; 0: none")},
+    FieldRow{62, 4, "cSize1", N_("of the halftoning")},
+    FieldRow{66, 4, "cSize2", N_("of the halftoning")},
     FieldRow{70, 4, "ulColorEncoding", "0: RGB", Show::Number, checkZero},
-    FieldRow{74, 4, "ulIdentifier", "for the application"},
+    FieldRow{74, 4, "ulIdentifier", N_("for the application")},
 };
 
 constexpr std::array behindFields{
-    FieldRow{54, 4, "red mask", "which bits of a pixel are red", Show::Mask, checkMask},
-    FieldRow{58, 4, "green mask", "which bits of a pixel are green", Show::Mask, checkMask},
-    FieldRow{62, 4, "blue mask", "which bits of a pixel are blue", Show::Mask, checkMask},
-    FieldRow{66, 4, "alpha mask", "which bits of a pixel are alpha; 0: none", Show::Mask, checkMask},
+    FieldRow{54, 4, N_("red mask"), N_("which bits of a pixel are red"), Show::Mask, checkMask},
+    FieldRow{58, 4, N_("green mask"), N_("which bits of a pixel are green"), Show::Mask, checkMask},
+    FieldRow{62, 4, N_("blue mask"), N_("which bits of a pixel are blue"), Show::Mask, checkMask},
+    FieldRow{66, 4, N_("alpha mask"), N_("which bits of a pixel are alpha; 0: none"), Show::Mask, checkMask},
 };
 
 static_assert(windowsFields.back().offset + 4 == fileHeaderSize + 124);

@@ -65,7 +65,7 @@ void parseMasks(ByteView file, Header& header) {
         header.palettePos += alphaFollows ? 16 : 12;
 
     if ((header.masks[0] | header.masks[1] | header.masks[2]) == 0) {
-        header.notes.emplace_back("the colour masks are all 0; the usual ones were used");
+        header.notes.emplace_back(N_("the colour masks are all 0; the usual ones were used"));
         header.masks = usualMasks(header.bitsPerPixel);
     }
 }
@@ -117,7 +117,7 @@ Result<void> checkCompression(const Header& header) {
         return bits == 4 ? Result<void>() : needs("4");
     case Compression::BitFields:
     case Compression::AlphaBitFields:
-        return bits == 16 || bits == 32 ? Result<void>() : needs("16 or 32");
+        return bits == 16 || bits == 32 ? Result<void>() : needs(N_("16 or 32"));
     case Compression::Jpeg:
     case Compression::Png:
         return unsupported(
@@ -130,7 +130,7 @@ Result<void> checkCompression(const Header& header) {
 }
 
 Result<void> checkExtents(const Header& header, const DecodeLimits& limits) {
-    const Sentence extents("{0} × {1} pixels", header.width, header.height);
+    const Sentence extents(N_("{0} × {1} pixels"), header.width, header.height);
     if (header.width < 1 || header.height < 1)
         return malformed(Sentence("a picture has at least 1 × 1 pixels, this one has {0}", extents));
     if (header.width > limits.maxExtent || header.height > limits.maxExtent)
@@ -201,7 +201,7 @@ std::string_view headerName(std::uint32_t headerSize) {
     case HeaderKind::Os22:
         return "BITMAPINFOHEADER2 (OS/2 2.x)";
     case HeaderKind::Windows3:
-        return "BITMAPINFOHEADER (Windows 3)";
+        return N_("BITMAPINFOHEADER (Windows 3)");
     case HeaderKind::Windows3Masks:
         return headerSize == 52 ? "BITMAPV2INFOHEADER" : "BITMAPV3INFOHEADER";
     case HeaderKind::V4:
@@ -211,12 +211,12 @@ std::string_view headerName(std::uint32_t headerSize) {
     case HeaderKind::Unknown:
         break;
     }
-    return "unknown header";
+    return N_("unknown header");
 }
 
 Sentence compressionName(std::uint32_t compression, std::uint32_t headerSize) {
     if (headerKind(headerSize) == HeaderKind::Os22 && (compression == 3 || compression == 4))
-        return compression == 3 ? "Huffman 1D" : "RLE24";
+        return compression == 3 ? N_("Huffman 1D") : "RLE24";
     switch (static_cast<Compression>(compression)) {
     case Compression::None:
         return "none";
@@ -225,19 +225,19 @@ Sentence compressionName(std::uint32_t compression, std::uint32_t headerSize) {
     case Compression::Rle4:
         return "RLE4";
     case Compression::BitFields:
-        return "bit fields";
+        return N_("bit fields");
     case Compression::Jpeg:
         return "JPEG";
     case Compression::Png:
         return "PNG";
     case Compression::AlphaBitFields:
-        return "bit fields with alpha";
+        return N_("bit fields with alpha");
     case Compression::Cmyk:
         return "CMYK";
     case Compression::CmykRle8:
-        return "CMYK with RLE8";
+        return N_("CMYK with RLE8");
     case Compression::CmykRle4:
-        return "CMYK with RLE4";
+        return N_("CMYK with RLE4");
     }
     return Sentence("number {0}", compression);
 }
@@ -294,7 +294,7 @@ bool hasColorSpace(ByteView file, const Header& header) {
 
 Result<Header> readHeader(ByteView file, const DecodeLimits& limits) {
     if (file.size() < 2 || file[0] != std::byte{'B'} || file[1] != std::byte{'M'})
-        return malformed(file.empty() ? "the file is empty" : "the file does not begin with \"BM\"");
+        return malformed(file.empty() ? "the file is empty" : N_("the file does not begin with \"BM\""));
     constexpr std::size_t minBytes = fileHeaderSize + 12;
     const auto headersNeed = [&](std::uint64_t size) {
         return malformed(Sentence("the headers need {0} bytes, the file has {1}", size, file.size()));

@@ -1,7 +1,7 @@
 #include "texplorer/base/byte_reader.h"
+#include "texplorer/base/translatable.h"
 #include "texplorer/codec/dds/dds.h"
 #include "texplorer/codec/dds/dds_layout.h"
-#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 
@@ -67,7 +67,7 @@ public:
         return add(1, offset, 4, std::move(name),
                    known ? Sentence("{0}: {1}", value, ProperName{row->name})
                          : Sentence(std::to_string(value)),
-                   known ? Sentence(row->meaning) : "unknown value");
+                   known ? Sentence(row->meaning) : N_("unknown value"));
     }
 
     static void blame(Field& field, const Sentence& sentence) {
@@ -94,7 +94,7 @@ std::string reservedText(ByteView file) {
             ? ByteView{}
             : file.subspan(at::reserved, std::min<std::size_t>(44, file.size() - at::reserved));
     if (std::ranges::all_of(bytes, [](std::byte byte) { return byte == std::byte{0}; }))
-        return word("zeros");
+        return N_("zeros");
     std::string text = "\"";
     for (const std::byte byte : bytes) {
         const auto c = std::to_integer<char>(byte);
@@ -105,9 +105,9 @@ std::string reservedText(ByteView file) {
 
 Sentence describeFormat(const DxgiRow* format) {
     if (format == nullptr)
-        return "not a format that is read";
+        return N_("not a format that is read");
     if (std::holds_alternative<UnreadPixels>(format->pixels))
-        return "known, but not read";
+        return N_("known, but not read");
     if (const BlockFormat* block = std::get_if<BlockFormat>(&format->pixels))
         return findRow(EnumTable<BlockFormat>::rows, static_cast<std::uint32_t>(*block))->help;
     return Sentence("uncompressed, {0} bits a pixel", std::get<MaskedPixels>(format->pixels).bits);
@@ -125,28 +125,27 @@ Sentence describeMask(std::string_view channel, std::uint32_t mask) {
 }
 
 void addPixelFormat(Dissection& to, const Header& header) {
-    to.section(at::formatSize, formatSize, "DDS_PIXELFORMAT", "the pixel format, within the header");
+    to.section(at::formatSize, formatSize, "DDS_PIXELFORMAT", N_("the pixel format, within the header"));
     to.number(at::formatSize, "ddspf.dwSize", header.formatSize, "bytes of this structure: 32");
     to.bits(at::formatFlags, "ddspf.dwFlags", header.formatFlags, formatFlagRows);
-    Sentence code = "not a format that is read";
+    Sentence code = N_("not a format that is read");
     if (header.fourCC == 0)
-        code = "none: the masks define the format";
+        code = N_("none: the masks define the format");
     else if (header.fourCC == fourCC("DX10"))
-        code = "a DX10 header follows with the format";
+        code = N_("a DX10 header follows with the format");
     else if (const auto row = std::ranges::find(fourCCRows(), header.fourCC, &FourCCRow::code);
              row != fourCCRows().end())
         code = findRow(EnumTable<BlockFormat>::rows, static_cast<std::uint32_t>(row->format))->help;
     to.add(1, at::fourCC, 4, "ddspf.dwFourCC", header.fourCC == 0 ? "0" : spellFourCC(header.fourCC), code);
     to.number(at::bitCount, "ddspf.dwRGBBitCount", header.bitCount,
-              header.hasFourCC() ? "bits a pixel; ignored with a FourCC" : "bits a pixel");
+              header.hasFourCC() ? N_("bits a pixel; ignored with a FourCC") : N_("bits a pixel"));
     constexpr std::array<std::string_view, 4> letters{"R", "G", "B", "A"};
-    constexpr std::array<std::string_view, 4> channels{word("red"), word("green"), word("blue"),
-                                                       word("alpha")};
+    constexpr std::array<std::string_view, 4> channels{N_("red"), N_("green"), N_("blue"), N_("alpha")};
     const bool luminance = (header.formatFlags & formatLuminance) != 0;
     const bool depth = (header.formatFlags & formatZBuffer) != 0;
     for (std::size_t i = 0; i < 4; ++i) {
-        const std::string_view channel = luminance && i == 0 ? word("luminance")
-                                         : depth && i == 1   ? word("depth")
+        const std::string_view channel = luminance && i == 0 ? N_("luminance")
+                                         : depth && i == 1   ? N_("depth")
                                                              : channels[i];
         to.add(1, at::masks + 4 * i, 4, ProperName{fmt::format("ddspf.dw{}BitMask", letters[i])},
                hex(header.masks[i]), describeMask(channel, header.masks[i]));
@@ -154,26 +153,26 @@ void addPixelFormat(Dissection& to, const Header& header) {
 }
 
 void addHeader(Dissection& to, ByteView file, const Header& header) {
-    Field& magic = to.add(0, 0, 4, "dwMagic", spellFourCC(wordAt(file, 0)), "\"DDS \" in every DDS file");
+    Field& magic = to.add(0, 0, 4, "dwMagic", spellFourCC(wordAt(file, 0)), N_("\"DDS \" in every DDS file"));
     if (file.size() >= 4 && wordAt(file, 0) != fourCC("DDS "))
-        Dissection::blame(magic, "expected \"DDS \"");
-    to.section(at::size, headerSize, "DDS_HEADER", "the header of every DDS file");
+        Dissection::blame(magic, N_("expected \"DDS \""));
+    to.section(at::size, headerSize, "DDS_HEADER", N_("the header of every DDS file"));
     Field& size = to.number(at::size, "dwSize", header.size, "bytes of this structure: 124");
     if (file.size() >= 8 && header.size != headerSize)
-        Dissection::blame(size, "expected 124");
+        Dissection::blame(size, N_("expected 124"));
     to.bits(at::flags, "dwFlags", header.flags, flagRows);
     to.number(at::height, "dwHeight", header.height, "rows of texels in level 0");
     to.number(at::width, "dwWidth", header.width, "texels in a row of level 0");
     to.number(at::pitchOrLinearSize, "dwPitchOrLinearSize", header.pitchOrLinearSize,
-              (header.flags & flagLinearSize) != 0 ? "bytes of level 0"
+              (header.flags & flagLinearSize) != 0 ? N_("bytes of level 0")
               : (header.flags & flagPitch) != 0
-                  ? "bytes of a row of level 0"
-                  : "neither DDSD_PITCH nor DDSD_LINEARSIZE is set: no meaning");
+                  ? N_("bytes of a row of level 0")
+                  : N_("neither DDSD_PITCH nor DDSD_LINEARSIZE is set: no meaning"));
     to.number(at::depth, "dwDepth", header.depth, "slices of a volume");
     to.number(at::mipMapCount, "dwMipMapCount", header.mipMapCount, "levels, with level 0; 0 means one");
     to.add(1, at::reserved, 44, "dwReserved1", reservedText(file),
-           "not used; some programs store their "
-           "name here");
+           N_("not used; some programs store their "
+              "name here"));
     addPixelFormat(to, header);
     to.bits(at::caps, "dwCaps", header.caps, capsRows);
     to.bits(at::caps2, "dwCaps2", header.caps2, caps2Rows);
@@ -184,7 +183,7 @@ void addHeader(Dissection& to, ByteView file, const Header& header) {
 
 void addExtendedHeader(Dissection& to, const Header& header) {
     to.section(at::dxgiFormat, extendedEnd - legacyEnd, "DDS_HEADER_DXT10",
-               "the extension of Direct3D 10 and later: any DXGI format");
+               N_("the extension of Direct3D 10 and later: any DXGI format"));
     const DxgiRow* format = findDxgi(header.dxgiFormat);
     to.add(1, at::dxgiFormat, 4, "dxgiFormat",
            format ? Sentence("{0}: {1}", header.dxgiFormat, ProperName{format->name})
@@ -214,10 +213,10 @@ Sentence describeLevel(const Layout& layout, const Level& level) {
 }
 
 void addLevels(Dissection& to, const Layout& layout) {
-    to.section(layout.begin, layout.end() - layout.begin, "pixel data",
+    to.section(layout.begin, layout.end() - layout.begin, N_("pixel data"),
                Sentence("{0}, {1}", ProperName{layout.format.name},
-                        layout.faces > 1 ? "face by face, each with all its levels"
-                                         : "level by level, largest first"));
+                        layout.faces > 1 ? N_("face by face, each with all its levels")
+                                         : N_("level by level, largest first")));
     for (int face = 0; face < layout.faces; ++face)
         for (int i = 0; i < layout.levels; ++i) {
             const Level level = layout.at(face, i);
@@ -253,11 +252,12 @@ Anatomy dissectDds(ByteView file) {
         addLevels(dissection, *layout);
         const std::uint64_t elementsEnd = std::min<std::uint64_t>(layout->arrayEnd(), file.size());
         if (elementsEnd > layout->end())
-            dissection.add(0, layout->end(), elementsEnd - layout->end(), "other elements",
-                           Sentence("{0} of the array", layout->elements - 1), "scenes show only the first");
+            dissection.add(0, layout->end(), elementsEnd - layout->end(), N_("other elements"),
+                           Sentence("{0} of the array", layout->elements - 1),
+                           N_("scenes show only the first"));
         if (file.size() > elementsEnd)
-            dissection.add(0, elementsEnd, file.size() - elementsEnd, "trailing bytes", "",
-                           "not part of any level");
+            dissection.add(0, elementsEnd, file.size() - elementsEnd, N_("trailing bytes"), "",
+                           N_("not part of any level"));
     }
     dissection.anatomy.damage = std::move(damage);
     return std::move(dissection.anatomy);

@@ -1,6 +1,6 @@
 #include "texplorer/codec/dds/dds_format.h"
 
-#include "texplorer/text/word.h"
+#include "texplorer/base/translatable.h"
 
 #include <algorithm>
 
@@ -184,9 +184,9 @@ void swapMasksOfD3dx(MaskedPixels& pixels, Findings& findings) {
     if (pixels.masks != reversed)
         return;
     std::swap(pixels.masks[0], pixels.masks[2]);
-    findings.push_back({at::masks,
-                        "the masks of red and blue are swapped, as D3DX writes them for 10:10:10:2; red is "
-                        "read from the low bits"});
+    findings.push_back(
+        {at::masks, N_("the masks of red and blue are swapped, as D3DX writes them for 10:10:10:2; red is "
+                       "read from the low bits")});
 }
 
 /// Of depth with or without stencil: the second mask is the depth's.
@@ -196,7 +196,7 @@ Result<Format> depthFormat(MaskedPixels pixels) {
                     "DDS: DDPF_ZBUFFER is set, but the mask of the depth, dwGBitMask, is 0");
     pixels.decoded = PixelFormat::Luminance8;
     pixels.masks = {pixels.masks[1], 0, 0, 0};
-    return Format{word("depth"), pixels, false, AlphaMeaning::None};
+    return Format{N_("depth"), pixels, false, AlphaMeaning::None};
 }
 
 Result<Format> fromMasks(const Header& header, Findings& findings) {
@@ -220,7 +220,7 @@ Result<Format> fromMasks(const Header& header, Findings& findings) {
     bool alpha = (flags & formatAlphaPixels) != 0;
     if (alpha && pixels.masks[3] == 0) {
         findings.push_back(
-            {at::formatFlags, "DDPF_ALPHAPIXELS is set, but dwABitMask is 0; read without alpha"});
+            {at::formatFlags, N_("DDPF_ALPHAPIXELS is set, but dwABitMask is 0; read without alpha")});
         alpha = false;
     }
     const bool alphaAlone = (flags & formatAlpha) != 0 && (flags & (formatRgb | formatLuminance)) == 0;
@@ -234,18 +234,18 @@ Result<Format> fromMasks(const Header& header, Findings& findings) {
 
     std::string_view name = "RGB";
     if (alphaAlone) {
-        name = word("alpha");
+        name = N_("alpha");
         pixels.decoded = PixelFormat::Alpha8;
         pixels.masks = {0, 0, 0, pixels.masks[3] == 0 ? all : pixels.masks[3]};
         if (header.masks[3] == 0)
-            findings.push_back({at::masks + 12, "dwABitMask is 0; all bits of a pixel are its alpha"});
+            findings.push_back({at::masks + 12, N_("dwABitMask is 0; all bits of a pixel are its alpha")});
     } else if ((flags & formatLuminance) != 0) {
-        name = alpha ? "luminance and alpha" : word("luminance");
+        name = alpha ? N_("luminance and alpha") : N_("luminance");
         pixels.decoded = alpha ? PixelFormat::LuminanceAlpha8 : PixelFormat::Luminance8;
         pixels.masks[1] = pixels.masks[2] = 0; // some writers repeat the mask
         if (pixels.masks[0] == 0) {
             pixels.masks[0] = all & ~pixels.masks[3];
-            findings.push_back({at::masks, "dwRBitMask is 0; all bits but alpha's are the luminance"});
+            findings.push_back({at::masks, N_("dwRBitMask is 0; all bits but alpha's are the luminance")});
         }
     } else {
         name = alpha ? "RGBA" : "RGB";
@@ -253,8 +253,8 @@ Result<Format> fromMasks(const Header& header, Findings& findings) {
         if ((pixels.masks[0] | pixels.masks[1] | pixels.masks[2]) == 0)
             return fail(ErrorCode::Malformed, "DDS: the masks of red, green and blue are all 0");
         if ((flags & formatRgb) == 0)
-            findings.push_back({at::formatFlags, "neither DDPF_RGB nor another kind of pixel is set; the "
-                                                 "masks are used as RGB"});
+            findings.push_back({at::formatFlags, N_("neither DDPF_RGB nor another kind of pixel is set; the "
+                                                    "masks are used as RGB")});
         swapMasksOfD3dx(pixels, findings);
     }
     AlphaMeaning meaning = alpha || alphaAlone ? AlphaMeaning::Straight : AlphaMeaning::None;
@@ -312,7 +312,7 @@ Result<Format> formatOf(const Header& header, Findings& findings) {
                      ProperName{spellBits(header.formatFlags & formatUnread, formatFlagRows)}));
     if ((header.formatFlags & formatFourCC) != 0)
         findings.push_back(
-            {at::formatFlags, "DDPF_FOURCC is set, but dwFourCC is 0; the masks are used instead"});
+            {at::formatFlags, N_("DDPF_FOURCC is set, but dwFourCC is 0; the masks are used instead")});
     return fromMasks(header, findings);
 }
 

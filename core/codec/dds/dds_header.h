@@ -119,14 +119,14 @@ enum Flags : std::uint32_t {
 };
 
 inline constexpr std::array flagRows{
-    NameRow{flagCaps, "DDSD_CAPS", "dwCaps is set"},
-    NameRow{flagHeight, "DDSD_HEIGHT", "dwHeight is set"},
-    NameRow{flagWidth, "DDSD_WIDTH", "dwWidth is set"},
-    NameRow{flagPitch, "DDSD_PITCH", "dwPitchOrLinearSize is the bytes of a row"},
-    NameRow{flagPixelFormat, "DDSD_PIXELFORMAT", "ddspf is set"},
-    NameRow{flagMipMapCount, "DDSD_MIPMAPCOUNT", "dwMipMapCount is set"},
-    NameRow{flagLinearSize, "DDSD_LINEARSIZE", "dwPitchOrLinearSize is the bytes of level 0"},
-    NameRow{flagDepth, "DDSD_DEPTH", "dwDepth is set: a volume"},
+    NameRow{flagCaps, "DDSD_CAPS", N_("dwCaps is set")},
+    NameRow{flagHeight, "DDSD_HEIGHT", N_("dwHeight is set")},
+    NameRow{flagWidth, "DDSD_WIDTH", N_("dwWidth is set")},
+    NameRow{flagPitch, "DDSD_PITCH", N_("dwPitchOrLinearSize is the bytes of a row")},
+    NameRow{flagPixelFormat, "DDSD_PIXELFORMAT", N_("ddspf is set")},
+    NameRow{flagMipMapCount, "DDSD_MIPMAPCOUNT", N_("dwMipMapCount is set")},
+    NameRow{flagLinearSize, "DDSD_LINEARSIZE", N_("dwPitchOrLinearSize is the bytes of level 0")},
+    NameRow{flagDepth, "DDSD_DEPTH", N_("dwDepth is set: a volume")},
 };
 
 enum FormatFlags : std::uint32_t {
@@ -153,29 +153,29 @@ inline constexpr std::uint32_t formatUnread = formatPalette1 | formatPalette2 | 
                                               formatBumpLuminance | formatBump;
 
 inline constexpr std::array formatFlagRows{
-    NameRow{formatAlphaPixels, "DDPF_ALPHAPIXELS", "pixels have alpha"},
-    NameRow{formatAlpha, "DDPF_ALPHA", "pixels are alpha alone"},
-    NameRow{formatFourCC, "DDPF_FOURCC", "dwFourCC is the format"},
-    NameRow{formatPalette4, "DDPF_PALETTEINDEXED4", "4-bit palette indices"},
-    NameRow{formatPaletteTo8, "DDPF_PALETTEINDEXEDTO8", "indices of a palette of 8-bit indices"},
-    NameRow{formatPalette8, "DDPF_PALETTEINDEXED8", "8-bit palette indices"},
-    NameRow{formatRgb, "DDPF_RGB", "red, green and blue by masks"},
-    NameRow{formatYuv, "DDPF_YUV", "luma and chroma"},
-    NameRow{formatZBuffer, "DDPF_ZBUFFER", "depth by the green mask"},
-    NameRow{formatPalette1, "DDPF_PALETTEINDEXED1", "1-bit palette indices"},
-    NameRow{formatPalette2, "DDPF_PALETTEINDEXED2", "2-bit palette indices"},
-    NameRow{formatAlphaPremultiplied, "DDPF_ALPHAPREMULT", "colours are multiplied by alpha"},
-    NameRow{formatLuminance, "DDPF_LUMINANCE", "luminance by the red mask"},
-    NameRow{formatBumpLuminance, "DDPF_BUMPLUMINANCE", "a bump map with luminance"},
-    NameRow{formatBump, "DDPF_BUMPDUDV", "a bump map of signed numbers"},
+    NameRow{formatAlphaPixels, "DDPF_ALPHAPIXELS", N_("pixels have alpha")},
+    NameRow{formatAlpha, "DDPF_ALPHA", N_("pixels are alpha alone")},
+    NameRow{formatFourCC, "DDPF_FOURCC", N_("dwFourCC is the format")},
+    NameRow{formatPalette4, "DDPF_PALETTEINDEXED4", N_("4-bit palette indices")},
+    NameRow{formatPaletteTo8, "DDPF_PALETTEINDEXEDTO8", N_("indices of a palette of 8-bit indices")},
+    NameRow{formatPalette8, "DDPF_PALETTEINDEXED8", N_("8-bit palette indices")},
+    NameRow{formatRgb, "DDPF_RGB", N_("red, green and blue by masks")},
+    NameRow{formatYuv, "DDPF_YUV", N_("luma and chroma")},
+    NameRow{formatZBuffer, "DDPF_ZBUFFER", N_("depth by the green mask")},
+    NameRow{formatPalette1, "DDPF_PALETTEINDEXED1", N_("1-bit palette indices")},
+    NameRow{formatPalette2, "DDPF_PALETTEINDEXED2", N_("2-bit palette indices")},
+    NameRow{formatAlphaPremultiplied, "DDPF_ALPHAPREMULT", N_("colours are multiplied by alpha")},
+    NameRow{formatLuminance, "DDPF_LUMINANCE", N_("luminance by the red mask")},
+    NameRow{formatBumpLuminance, "DDPF_BUMPLUMINANCE", N_("a bump map with luminance")},
+    NameRow{formatBump, "DDPF_BUMPDUDV", N_("a bump map of signed numbers")},
 };
 
 enum Caps : std::uint32_t { capsComplex = 0x8, capsTexture = 0x1000, capsMipMap = 0x400000 };
 
 inline constexpr std::array capsRows{
-    NameRow{capsComplex, "DDSCAPS_COMPLEX", "more than one surface"},
-    NameRow{capsTexture, "DDSCAPS_TEXTURE", "a texture"},
-    NameRow{capsMipMap, "DDSCAPS_MIPMAP", "mip levels"},
+    NameRow{capsComplex, "DDSCAPS_COMPLEX", N_("more than one surface")},
+    NameRow{capsTexture, "DDSCAPS_TEXTURE", N_("a texture")},
+    NameRow{capsMipMap, "DDSCAPS_MIPMAP", N_("mip levels")},
 };
 
 enum Caps2 : std::uint32_t {
@@ -185,30 +185,30 @@ enum Caps2 : std::uint32_t {
 };
 
 inline constexpr std::array caps2Rows{
-    NameRow{caps2CubeMap, "DDSCAPS2_CUBEMAP", "a cube map"},
-    NameRow{0x400, "DDSCAPS2_CUBEMAP_POSITIVEX", "face +x"},
-    NameRow{0x800, "DDSCAPS2_CUBEMAP_NEGATIVEX", "face -x"},
-    NameRow{0x1000, "DDSCAPS2_CUBEMAP_POSITIVEY", "face +y"},
-    NameRow{0x2000, "DDSCAPS2_CUBEMAP_NEGATIVEY", "face -y"},
-    NameRow{0x4000, "DDSCAPS2_CUBEMAP_POSITIVEZ", "face +z"},
-    NameRow{0x8000, "DDSCAPS2_CUBEMAP_NEGATIVEZ", "face -z"},
-    NameRow{caps2Volume, "DDSCAPS2_VOLUME", "a volume"},
+    NameRow{caps2CubeMap, "DDSCAPS2_CUBEMAP", N_("a cube map")},
+    NameRow{0x400, "DDSCAPS2_CUBEMAP_POSITIVEX", N_("face +x")},
+    NameRow{0x800, "DDSCAPS2_CUBEMAP_NEGATIVEX", N_("face -x")},
+    NameRow{0x1000, "DDSCAPS2_CUBEMAP_POSITIVEY", N_("face +y")},
+    NameRow{0x2000, "DDSCAPS2_CUBEMAP_NEGATIVEY", N_("face -y")},
+    NameRow{0x4000, "DDSCAPS2_CUBEMAP_POSITIVEZ", N_("face +z")},
+    NameRow{0x8000, "DDSCAPS2_CUBEMAP_NEGATIVEZ", N_("face -z")},
+    NameRow{caps2Volume, "DDSCAPS2_VOLUME", N_("a volume")},
 };
 
 enum Dimension : std::uint32_t { dimension1D = 2, dimension2D = 3, dimension3D = 4 };
 
 inline constexpr std::array dimensionRows{
-    NameRow{0, "D3D10_RESOURCE_DIMENSION_UNKNOWN", "not specified"},
-    NameRow{1, "D3D10_RESOURCE_DIMENSION_BUFFER", "no texture at all"},
-    NameRow{dimension1D, "D3D10_RESOURCE_DIMENSION_TEXTURE1D", "a line"},
-    NameRow{dimension2D, "D3D10_RESOURCE_DIMENSION_TEXTURE2D", "a picture or a cube map"},
-    NameRow{dimension3D, "D3D10_RESOURCE_DIMENSION_TEXTURE3D", "a volume"},
+    NameRow{0, "D3D10_RESOURCE_DIMENSION_UNKNOWN", N_("not specified")},
+    NameRow{1, "D3D10_RESOURCE_DIMENSION_BUFFER", N_("no texture at all")},
+    NameRow{dimension1D, "D3D10_RESOURCE_DIMENSION_TEXTURE1D", N_("a line")},
+    NameRow{dimension2D, "D3D10_RESOURCE_DIMENSION_TEXTURE2D", N_("a picture or a cube map")},
+    NameRow{dimension3D, "D3D10_RESOURCE_DIMENSION_TEXTURE3D", N_("a volume")},
 };
 
 inline constexpr std::uint32_t miscTextureCube = 0x4;
 
 inline constexpr std::array miscRows{
-    NameRow{miscTextureCube, "DDS_RESOURCE_MISC_TEXTURECUBE", "a cube map"},
+    NameRow{miscTextureCube, "DDS_RESOURCE_MISC_TEXTURECUBE", N_("a cube map")},
 };
 
 enum AlphaMode : std::uint32_t {
@@ -221,11 +221,11 @@ enum AlphaMode : std::uint32_t {
 inline constexpr std::uint32_t alphaModeMask = 7; ///< the bits of miscFlags2 with the alpha mode
 
 inline constexpr std::array alphaModeRows{
-    NameRow{alphaUnknown, "DDS_ALPHA_MODE_UNKNOWN", "the meaning of alpha is not specified"},
-    NameRow{alphaStraight, "DDS_ALPHA_MODE_STRAIGHT", "colours do not depend on alpha"},
-    NameRow{alphaPremultiplied, "DDS_ALPHA_MODE_PREMULTIPLIED", "colours are multiplied by alpha"},
-    NameRow{alphaOpaque, "DDS_ALPHA_MODE_OPAQUE", "alpha is 1 everywhere"},
-    NameRow{alphaCustom, "DDS_ALPHA_MODE_CUSTOM", "the fourth component is not alpha"},
+    NameRow{alphaUnknown, "DDS_ALPHA_MODE_UNKNOWN", N_("the meaning of alpha is not specified")},
+    NameRow{alphaStraight, "DDS_ALPHA_MODE_STRAIGHT", N_("colours do not depend on alpha")},
+    NameRow{alphaPremultiplied, "DDS_ALPHA_MODE_PREMULTIPLIED", N_("colours are multiplied by alpha")},
+    NameRow{alphaOpaque, "DDS_ALPHA_MODE_OPAQUE", N_("alpha is 1 everywhere")},
+    NameRow{alphaCustom, "DDS_ALPHA_MODE_CUSTOM", N_("the fourth component is not alpha")},
 };
 
 /// "DDSD_CAPS | DDSD_WIDTH | 0x40"; "0" where no bit is set.

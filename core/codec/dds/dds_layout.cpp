@@ -35,7 +35,7 @@ Result<void> checkHeaders(ByteView file, const Header& header) {
 void readElements(const Header& header, Layout& layout, bool everything, Findings& findings) {
     layout.elements = std::max<std::uint32_t>(1, header.arraySize);
     if (header.arraySize == 0)
-        findings.push_back({at::arraySize, "arraySize is 0; it is read as 1"});
+        findings.push_back({at::arraySize, N_("arraySize is 0; it is read as 1")});
     if (header.arraySize > 1 && !everything)
         findings.push_back(
             {at::arraySize,
@@ -52,9 +52,9 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
     const auto volume = [&] {
         layout.depth = static_cast<int>(std::max<std::uint32_t>(1, header.depth));
         if (header.depth == 0)
-            findings.push_back({at::depth, "dwDepth of a volume is 0; it is read as one slice"});
+            findings.push_back({at::depth, N_("dwDepth of a volume is 0; it is read as one slice")});
         else if (!depthFlag)
-            findings.push_back({at::flags, "DDSD_DEPTH is not set although it is a volume"});
+            findings.push_back({at::flags, N_("DDSD_DEPTH is not set although it is a volume")});
     };
     if (header.extended() && header.dimension >= dimension1D && header.dimension <= dimension3D) {
         const bool cube = (header.miscFlag & miscTextureCube) != 0;
@@ -88,7 +88,7 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
                      header.depth)});
         if ((header.caps2 & caps2CubeMap) != 0)
             findings.push_back(
-                {at::caps2, "DDSCAPS2_CUBEMAP and DDSCAPS2_VOLUME are both set; it is read as a volume"});
+                {at::caps2, N_("DDSCAPS2_CUBEMAP and DDSCAPS2_VOLUME are both set; it is read as a volume")});
         volume();
         return {};
     }
@@ -99,12 +99,12 @@ Result<void> readKind(const Header& header, Layout& layout, Findings& findings) 
     const std::uint32_t faces = header.caps2 & caps2AllFaces;
     if ((header.caps2 & caps2CubeMap) == 0) {
         if (faces != 0)
-            findings.push_back({at::caps2, "faces are set although DDSCAPS2_CUBEMAP is not; it is read as "
-                                           "one picture"});
+            findings.push_back({at::caps2, N_("faces are set although DDSCAPS2_CUBEMAP is not; it is read as "
+                                              "one picture")});
         return {};
     }
     if (faces == 0)
-        findings.push_back({at::caps2, "DDSCAPS2_CUBEMAP is set, but no face; it is read as all six"});
+        findings.push_back({at::caps2, N_("DDSCAPS2_CUBEMAP is set, but no face; it is read as all six")});
     else if (faces != caps2AllFaces)
         return fail(ErrorCode::Unsupported,
                     Sentence("DDS: cube maps with all six faces are read, this one has {0}: {1}",
@@ -147,7 +147,7 @@ void readLevels(const Header& header, Layout& layout, Findings& findings) {
     layout.levels = static_cast<int>(std::clamp<std::uint32_t>(said, 1, full));
     if (said == 0 && flagged)
         findings.push_back(
-            {at::mipMapCount, "dwMipMapCount is 0 although DDSD_MIPMAPCOUNT is set; one level is read"});
+            {at::mipMapCount, N_("dwMipMapCount is 0 although DDSD_MIPMAPCOUNT is set; one level is read")});
     else if (said > full)
         findings.push_back(
             {at::mipMapCount, Sentence("dwMipMapCount is {0}, but the chain ends after {1}; the others are "
@@ -280,7 +280,7 @@ Result<int> wholeLevels(const Layout& layout, std::size_t fileSize, Findings& fi
         if (!isWhole(face, 0)) {
             const Level base = layout.at(face, 0);
             const Sentence surface =
-                layout.faces > 1 ? Sentence("level 0 of face {0}", faceName(face)) : "level 0";
+                layout.faces > 1 ? Sentence("level 0 of face {0}", faceName(face)) : N_("level 0");
             return malformed(Sentence("{0} needs {1} from offset {2}, the file has {3}", surface,
                                       Sentence::plural("{0} byte", "{0} bytes", base.size), base.offset,
                                       fileSize));

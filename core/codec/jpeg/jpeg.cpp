@@ -49,7 +49,7 @@ Survey survey(ByteView file) {
         else if (segment->marker == jpegCom)
             found.comment = true;
         else if (segment->marker == jpegApp14 && segment->payload.size() >= 12 &&
-                 beginsWith(segment->payload, "Adobe"))
+                 beginsWith(segment->payload, N_("Adobe")))
             found.adobe = true;
         else if (segment->marker == jpegEoi)
             found.end = segments.offset();
@@ -70,7 +70,7 @@ Error inJpeg(const Error& error) {
 }
 
 Result<void> checkFrame(const JpegFrame& frame, ByteView file, const DecodeLimits& limits) {
-    const Sentence extents("{0} × {1} pixels", frame.width, frame.height);
+    const Sentence extents(N_("{0} × {1} pixels"), frame.width, frame.height);
     if (frame.width < 1 || frame.height < 1)
         return malformed(Sentence("a picture has at least 1 × 1 pixels, this one has {0}", extents));
     if (static_cast<int>(frame.width) > limits.maxExtent || static_cast<int>(frame.height) > limits.maxExtent)
@@ -145,13 +145,13 @@ Result<TextureImage> decode(ByteView file, const Survey& found, const DecodeLimi
     TextureImage texture = textureOf(std::move(image), "JPEG");
     texture.notes = reader.notes();
     if (header->inks)
-        texture.losses.push_back({"inks", "cyan, magenta, yellow and black become red, green and blue"});
+        texture.losses.push_back({"inks", N_("cyan, magenta, yellow and black become red, green and blue")});
     if (found.profile)
-        texture.losses.push_back({"colorProfile", "the ICC profile", false});
+        texture.losses.push_back({"colorProfile", N_("the ICC profile"), false});
     if (found.exif)
-        texture.losses.push_back({"metadata", "metadata (Exif, XMP)", false});
+        texture.losses.push_back({"metadata", N_("metadata (Exif, XMP)"), false});
     if (found.comment)
-        texture.losses.push_back({"metadata", "the comment", false});
+        texture.losses.push_back({"metadata", N_("the comment"), false});
     if (found.orientation > 1)
         texture.remarks.push_back(
             Sentence("Exif says that the camera was turned (orientation {0}); the picture is read as stored",

@@ -1,6 +1,6 @@
+#include "texplorer/base/translatable.h"
 #include "texplorer/codec/jpeg/jpeg.h"
 #include "texplorer/codec/jpeg/jpeg_markers.h"
-#include "texplorer/text/word.h"
 
 #include <algorithm>
 #include <string>
@@ -16,21 +16,21 @@ constexpr std::size_t maxComponents = 4;
 const char* meaningOf(const JpegSegment& segment) {
     switch (segment.marker) {
     case jpegSoi:
-        return "start of image";
+        return N_("start of image");
     case jpegEoi:
-        return "end of image";
+        return N_("end of image");
     case jpegSos:
-        return "start of scan";
+        return N_("start of scan");
     case jpegDqt:
-        return "quantization tables";
+        return N_("quantization tables");
     case jpegDht:
-        return "Huffman tables";
+        return N_("Huffman tables");
     case jpegDri:
-        return "restart interval";
+        return N_("restart interval");
     case jpegCom:
-        return word("comment");
+        return N_("comment");
     default:
-        return segment.isFrame() ? "start of frame" : "";
+        return segment.isFrame() ? N_("start of frame") : "";
     }
 }
 
@@ -43,15 +43,15 @@ void describeFrame(const JpegSegment& segment, std::vector<Field>& fields) {
             fields.push_back({at + offset, size, std::move(name), std::move(value), std::move(meaning),
                               std::move(wrong), 1});
     };
-    add(0, 1, word("precision"), std::to_string(frame.precision), "bits a sample",
-        frame.precision == 8 ? "" : "only 8 are read");
-    add(1, 2, word("height"), std::to_string(frame.height), word("pixels"),
-        frame.height > 0 ? "" : "expected 1 or more");
-    add(3, 2, word("width"), std::to_string(frame.width), word("pixels"),
-        frame.width > 0 ? "" : "expected 1 or more");
-    add(5, 1, word("components"),
+    add(0, 1, N_("precision"), std::to_string(frame.precision), N_("bits a sample"),
+        frame.precision == 8 ? "" : N_("only 8 are read"));
+    add(1, 2, N_("height"), std::to_string(frame.height), N_("pixels"),
+        frame.height > 0 ? "" : N_("expected 1 or more"));
+    add(3, 2, N_("width"), std::to_string(frame.width), N_("pixels"),
+        frame.width > 0 ? "" : N_("expected 1 or more"));
+    add(5, 1, N_("components"),
         std::to_string(segment.payload.size() > 5 ? std::to_integer<int>(segment.payload[5]) : 0),
-        "1 grey, 3 colour, 4 CMYK");
+        N_("1 grey, 3 colour, 4 CMYK"));
     for (std::size_t i = 0; i < std::min(frame.components.size(), maxComponents); ++i) {
         const JpegComponent& each = frame.components[i];
         const bool good =
@@ -59,7 +59,7 @@ void describeFrame(const JpegSegment& segment, std::vector<Field>& fields) {
         add(6 + 3 * i, 3, Sentence("component {0}", each.id),
             Sentence("{0} × {1}", each.horizontal, each.vertical),
             Sentence("sampling; quantization table {0}", each.quantization),
-            good ? "" : "expected factors from 1 to 4");
+            good ? "" : N_("expected factors from 1 to 4"));
     }
 }
 
@@ -75,9 +75,9 @@ void describeSegment(const JpegSegment& segment, std::vector<Field>& fields) {
     if (segment.hasLength())
         fields.push_back({segment.offset + 2,
                           2,
-                          word("length"),
+                          N_("length"),
                           std::to_string(segment.length + 2),
-                          "bytes, including these two",
+                          N_("bytes, including these two"),
                           {},
                           1});
     if (segment.isFrame())
@@ -85,18 +85,18 @@ void describeSegment(const JpegSegment& segment, std::vector<Field>& fields) {
     else if (const int orientation = segment.marker == jpegApp1 ? exifOrientation(segment.payload) : 0)
         fields.push_back({segment.offset + 4,
                           segment.length,
-                          "Exif",
+                          N_("Exif"),
                           Sentence("orientation {0}", orientation),
-                          "1 is upright",
+                          N_("1 is upright"),
                           {},
                           1});
     if (segment.marker == jpegSos)
         fields.push_back({segment.offset + segment.size(),
                           segment.codedBytes,
-                          "coded data",
+                          N_("coded data"),
                           {},
-                          "of this scan",
-                          segment.codedBytes > 0 ? "" : "there is none",
+                          N_("of this scan"),
+                          segment.codedBytes > 0 ? "" : N_("there is none"),
                           1});
 }
 
@@ -108,7 +108,7 @@ Anatomy dissectJpeg(ByteView file) {
     bool ended = false;
     for (std::size_t index = 0; const std::optional<JpegSegment> segment = segments.next(); ++index) {
         if (index == maxSegments)
-            anatomy.fields.push_back({segment->offset, 0, "More segments", {}, {}, {}, 0});
+            anatomy.fields.push_back({segment->offset, 0, N_("More segments"), {}, {}, {}, 0});
         if (index < maxSegments) {
             describeSegment(*segment, anatomy.fields);
         } else {
@@ -130,10 +130,10 @@ Anatomy dissectJpeg(ByteView file) {
     else if (segments.offset() < file.size())
         anatomy.fields.push_back({segments.offset(),
                                   file.size() - segments.offset(),
-                                  "Trailing data",
+                                  N_("Trailing data"),
                                   {},
-                                  "after the end",
-                                  "not read",
+                                  N_("after the end"),
+                                  N_("not read"),
                                   0});
     return anatomy;
 }

@@ -89,9 +89,9 @@ void JpegReader::onProgress(j_common_ptr jpeg) {
 
 Error JpegReader::failure() const {
     if (limits_.isStopped())
-        return {ErrorCode::Cancelled, "decoding was cancelled", {}};
+        return {ErrorCode::Cancelled, N_("decoding was cancelled"), {}};
     if (outOfMemory_)
-        return {ErrorCode::TooLarge, "not enough memory for the decoder", {}};
+        return {ErrorCode::TooLarge, N_("not enough memory for the decoder"), {}};
     return {ErrorCode::Malformed, error_, {}};
 }
 

@@ -1,8 +1,8 @@
+#include "texplorer/base/translatable.h"
 #include "texplorer/codec/png/png.h"
 #include "texplorer/codec/png/png_chunks.h"
 #include "texplorer/codec/png/png_text.h"
 #include "texplorer/text/printable.h"
-#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 
@@ -25,40 +25,40 @@ struct ChunkMeaning {
 };
 
 constexpr std::array chunkMeanings{
-    ChunkMeaning{"IHDR", "the header"},
-    ChunkMeaning{"PLTE", "the palette"},
-    ChunkMeaning{"IDAT", "compressed pixels"},
-    ChunkMeaning{"IEND", "the end"},
-    ChunkMeaning{"tRNS", "transparency without an alpha channel"},
-    ChunkMeaning{"gAMA", "gamma times 100000"},
-    ChunkMeaning{"sRGB", "the colours are sRGB"},
-    ChunkMeaning{"pHYs", "size of a pixel"},
-    ChunkMeaning{"tEXt", word("text")},
-    ChunkMeaning{"zTXt", "compressed text"},
-    ChunkMeaning{"iTXt", "text in UTF-8"},
-    ChunkMeaning{"iCCP", "a colour profile"},
+    ChunkMeaning{"IHDR", N_("the header")},
+    ChunkMeaning{"PLTE", N_("the palette")},
+    ChunkMeaning{"IDAT", N_("compressed pixels")},
+    ChunkMeaning{"IEND", N_("the end")},
+    ChunkMeaning{"tRNS", N_("transparency without an alpha channel")},
+    ChunkMeaning{"gAMA", N_("gamma times 100000")},
+    ChunkMeaning{"sRGB", N_("the colours are sRGB")},
+    ChunkMeaning{"pHYs", N_("size of a pixel")},
+    ChunkMeaning{"tEXt", N_("text")},
+    ChunkMeaning{"zTXt", N_("compressed text")},
+    ChunkMeaning{"iTXt", N_("text in UTF-8")},
+    ChunkMeaning{"iCCP", N_("a colour profile")},
 };
 
 Sentence meaningOf(const PngChunk& chunk) {
     for (const ChunkMeaning& each : chunkMeanings)
         if (each.type == chunk.type)
             return each.meaning;
-    return (chunk.type[0] & 0x20) != 0 ? "may be skipped" : "unknown and not skippable";
+    return (chunk.type[0] & 0x20) != 0 ? N_("may be skipped") : N_("unknown and not skippable");
 }
 
 Sentence wrongOrder(const PngChunk& chunk, std::size_t index, std::string_view before, bool pixelsSeen) {
     if ((index == 0) != (chunk.type == "IHDR"))
-        return index == 0 ? "expected IHDR first" : "a second IHDR";
+        return index == 0 ? N_("expected IHDR first") : N_("a second IHDR");
     if (chunk.type == "IDAT" && pixelsSeen && before != "IDAT")
-        return "the IDAT chunks must follow each other";
+        return N_("the IDAT chunks must follow each other");
     if ((chunk.type == "PLTE" || chunk.type == "tRNS") && pixelsSeen)
-        return "expected before the first IDAT";
+        return N_("expected before the first IDAT");
     return {};
 }
 
 const char* colorTypeName(std::uint8_t type) {
-    constexpr std::array names{word("grey"),     "", "RGB",          word("palette"),
-                               "grey and alpha", "", "RGB and alpha"};
+    constexpr std::array names{N_("grey"),         "", "RGB", N_("palette"), N_("grey and alpha"), "",
+                               N_("RGB and alpha")};
     return type < names.size() ? names[type] : "";
 }
 
@@ -72,15 +72,16 @@ void describeHeader(const PngChunk& chunk, std::vector<Field>& fields) {
                               good ? Sentence() : std::move(expected), 1});
     };
     const Sentence kind = colorTypeName(header.colorType);
-    add(0, 4, word("width"), header.width, word("pixels"), header.width > 0, "expected 1 or more");
-    add(4, 4, word("height"), header.height, word("pixels"), header.height > 0, "expected 1 or more");
-    add(8, 1, "bit depth", header.depth, "bits a sample",
-        header.depth <= 16 && (0x10116U >> header.depth & 1) != 0, "expected 1, 2, 4, 8 or 16");
-    add(9, 1, "colour type", header.colorType, kind, !kind.empty(), "expected 0, 2, 3, 4 or 6");
-    add(10, 1, word("compression"), header.compression, "deflate", header.compression == 0, "expected 0");
-    add(11, 1, word("filter"), header.filter, "five kinds of row filter", header.filter == 0, "expected 0");
-    add(12, 1, word("interlace"), header.interlace, header.interlace == 1 ? "Adam7" : word("none"),
-        header.interlace < 2, "expected 0 or 1");
+    add(0, 4, N_("width"), header.width, N_("pixels"), header.width > 0, N_("expected 1 or more"));
+    add(4, 4, N_("height"), header.height, N_("pixels"), header.height > 0, N_("expected 1 or more"));
+    add(8, 1, N_("bit depth"), header.depth, N_("bits a sample"),
+        header.depth <= 16 && (0x10116U >> header.depth & 1) != 0, N_("expected 1, 2, 4, 8 or 16"));
+    add(9, 1, N_("colour type"), header.colorType, kind, !kind.empty(), N_("expected 0, 2, 3, 4 or 6"));
+    add(10, 1, N_("compression"), header.compression, "deflate", header.compression == 0, N_("expected 0"));
+    add(11, 1, N_("filter"), header.filter, N_("five kinds of row filter"), header.filter == 0,
+        N_("expected 0"));
+    add(12, 1, N_("interlace"), header.interlace, header.interlace == 1 ? N_("Adam7") : N_("none"),
+        header.interlace < 2, N_("expected 0 or 1"));
 }
 
 /// The beginning of a text, in one line.
@@ -94,7 +95,7 @@ std::string shownText(std::string_view text) {
 void describeText(const PngChunk& chunk, std::vector<Field>& fields) {
     const PngText text = readTextChunk(chunk, unpackedTextBytes);
     const std::size_t at = chunk.offset + 8;
-    fields.push_back({at, text.keywordBytes, word("keyword"), shownText(text.keyword), {}, text.wrong, 1});
+    fields.push_back({at, text.keywordBytes, N_("keyword"), shownText(text.keyword), {}, text.wrong, 1});
     if (text.textOffset == 0)
         return;
     Sentence meaning;
@@ -103,7 +104,7 @@ void describeText(const PngChunk& chunk, std::vector<Field>& fields) {
                                : Sentence("{0} bytes uncompressed", text.text.size());
     fields.push_back({at + text.textOffset,
                       chunk.length - text.textOffset,
-                      word("text"),
+                      N_("text"),
                       shownText(text.text),
                       std::move(meaning),
                       {},
@@ -113,18 +114,19 @@ void describeText(const PngChunk& chunk, std::vector<Field>& fields) {
 void describeChunk(const PngChunk& chunk, Sentence wrong, std::vector<Field>& fields) {
     fields.push_back(
         {chunk.offset, chunk.size(), printable(chunk.type), {}, meaningOf(chunk), std::move(wrong), 0});
-    fields.push_back({chunk.offset, 4, word("length"), std::to_string(chunk.length), "bytes of data", {}, 1});
+    fields.push_back(
+        {chunk.offset, 4, N_("length"), std::to_string(chunk.length), N_("bytes of data"), {}, 1});
     if (chunk.type == "IHDR")
         describeHeader(chunk, fields);
     else if (isTextChunk(chunk) && chunk.length > 0)
         describeText(chunk, fields);
     else if (chunk.length > 0)
-        fields.push_back({chunk.offset + 8, chunk.length, word("data"), {}, {}, {}, 1});
+        fields.push_back({chunk.offset + 8, chunk.length, N_("data"), {}, {}, {}, 1});
     if (!chunk.complete())
         return;
     const std::uint32_t found = pngCrc(chunk);
     fields.push_back({chunk.offset + 8 + chunk.length, 4, "CRC", fmt::format("{:#010x}", *chunk.crc),
-                      "of type and data",
+                      N_("of type and data"),
                       found == *chunk.crc ? Sentence() : Sentence("the bytes give {0:#010x}", found), 1});
 }
 
@@ -144,17 +146,17 @@ Anatomy dissectPng(ByteView file) {
     Anatomy anatomy{"PNG", {}, {}};
     anatomy.fields.push_back({0,
                               pngSignature.size(),
-                              "Signature",
+                              N_("Signature"),
                               {},
                               "89 50 4e 47 0d 0a 1a 0a",
-                              hasPngSignature(file) ? "" : "wrong bytes",
+                              hasPngSignature(file) ? "" : N_("wrong bytes"),
                               0});
     PngChunks chunks(file);
     std::string before;
     bool pixelsSeen = false;
     for (std::size_t index = 0; const std::optional<PngChunk> chunk = chunks.next(); ++index) {
         if (index == maxChunks)
-            anatomy.fields.push_back({chunk->offset, 0, "More chunks", {}, {}, {}, 0});
+            anatomy.fields.push_back({chunk->offset, 0, N_("More chunks"), {}, {}, {}, 0});
         if (index < maxChunks) {
             describeChunk(*chunk, wrongOrder(*chunk, index, before, pixelsSeen), anatomy.fields);
         } else {
@@ -181,7 +183,7 @@ Anatomy dissectPng(ByteView file) {
         anatomy.damage = Sentence("the file ends at offset {0} without an IEND", file.size());
     else if (end < file.size())
         anatomy.fields.push_back(
-            {end, file.size() - end, "Trailing data", {}, "after the end", "not read", 0});
+            {end, file.size() - end, N_("Trailing data"), {}, N_("after the end"), N_("not read"), 0});
     return anatomy;
 }
 

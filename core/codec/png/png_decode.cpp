@@ -70,7 +70,7 @@ Survey survey(ByteView file, bool everything) {
 }
 
 Result<void> checkExtents(const PngHeader& header, const DecodeLimits& limits) {
-    const Sentence extents("{0} × {1} pixels", header.width, header.height);
+    const Sentence extents(N_("{0} × {1} pixels"), header.width, header.height);
     if (header.width < 1 || header.height < 1)
         return malformed(Sentence("a picture has at least 1 × 1 pixels, this one has {0}", extents));
     const auto maxExtent = static_cast<std::uint32_t>(std::max(limits.maxExtent, 0));
@@ -177,7 +177,7 @@ void onRead(png_structp png, png_bytep to, png_size_t count) {
     Decoder& decoder = decoderOf(png_get_io_ptr(png));
     if (count > decoder.file.size() - decoder.position) {
         keepEnd(decoder, count);
-        png_error(png, "the file ends early");
+        png_error(png, N_("the file ends early"));
     }
     std::memcpy(to, decoder.file.data() + decoder.position, count);
     decoder.position += count;
@@ -276,7 +276,7 @@ Result<TextureImage> decode(ByteView file, Survey found, const DecodeLimits& lim
         texture.losses.push_back(
             {"metadata", Sentence("the chunks {0}", ProperName{printable(found.others)}), false});
     if (found.animated)
-        texture.remarks.emplace_back("the file is an animation; its first picture is read");
+        texture.remarks.emplace_back(N_("the file is an animation; its first picture is read"));
     if (found.end != 0 && found.end < file.size())
         texture.notes.push_back(Sentence("{0} after the end (IEND) ignored",
                                          Sentence::plural("{0} byte", "{0} bytes", file.size() - found.end)));

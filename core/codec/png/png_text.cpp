@@ -149,13 +149,13 @@ PngText readTextChunk(const PngChunk& chunk, std::size_t maxBytes) {
     at += international ? 2 : 1;
     if (packed > 1 || method != 0) {
         found.wrong =
-            packed > 1 ? "expected 0 or 1 as the compression flag" : "expected compression method 0";
+            packed > 1 ? N_("expected 0 or 1 as the compression flag") : N_("expected compression method 0");
         return found;
     }
     for (int before = 0; international && before < 2; ++before) { // the language, the translated keyword
         const std::optional<std::size_t> stop = endOf(data, at);
         if (!stop) {
-            found.wrong = "expected a language and a translated keyword, each with a 0 after it";
+            found.wrong = N_("expected a language and a translated keyword, each with a 0 after it");
             return found;
         }
         at = *stop + 1;

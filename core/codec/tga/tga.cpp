@@ -30,7 +30,7 @@ Result<void> checkHeader(const Header& header, std::vector<Sentence>& notes) {
         const std::optional<Complaint> complaint = row.complaint(header);
         if (!complaint)
             continue;
-        const Sentence text("{0}: {1}", ProperName{row.name}, complaint->text);
+        const Sentence text(N_("{0}: {1}"), ProperName{row.name}, complaint->text);
         if (complaint->severity == Severity::Malformed)
             return malformed(text);
         if (complaint->severity == Severity::Unsupported)
@@ -41,7 +41,7 @@ Result<void> checkHeader(const Header& header, std::vector<Sentence>& notes) {
 }
 
 Result<void> checkSize(const Header& header, std::size_t decodedPixelBytes, const DecodeLimits& limits) {
-    const Sentence extents("{0} × {1} pixels", header.width, header.height);
+    const Sentence extents(N_("{0} × {1} pixels"), header.width, header.height);
     if (header.width > limits.maxExtent || header.height > limits.maxExtent)
         return tooLarge(
             Sentence("at most {0} × {0} pixels are read, the file has {1}", limits.maxExtent, extents));

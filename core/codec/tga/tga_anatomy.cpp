@@ -1,8 +1,8 @@
 #include "texplorer/base/byte_reader.h"
 #include "texplorer/base/sentence.h"
+#include "texplorer/base/translatable.h"
 #include "texplorer/codec/tga/tga.h"
 #include "texplorer/codec/tga/tga_format.h"
-#include "texplorer/text/word.h"
 
 #include <fmt/core.h>
 
@@ -86,7 +86,7 @@ Fields describeColorMap(ByteView file, const Header& header) {
     const std::size_t size = header.entryBytes();
     Fields fields{section("Color Map Data", header.mapOffset(), header.mapBytes(),
                           Sentence("{0} entries of {1} bits", header.mapLength, header.entryBits),
-                          header.mapped() ? "the colours" : "not used by this picture",
+                          header.mapped() ? N_("the colours") : N_("not used by this picture"),
                           beyond(header.mapOffset(), header.mapBytes(), file.size()))};
     for (std::size_t i = 0; i < std::min<std::size_t>(header.mapLength, maxMapEntries); ++i) {
         const std::size_t offset = header.mapOffset() + i * size;
@@ -125,7 +125,7 @@ Packets walkPackets(ByteView data, const Header& header) {
                 Sentence("from column {0} of row {1}", column, packets.pixels / header.width),
                 cut ? Sentence("needs {0}, {1} are left", Sentence::plural("{0} byte", "{0} bytes", size),
                                Sentence::plural("{0} byte", "{0} bytes", data.size() - packets.bytes))
-                : crosses ? "continues beyond the end of its row, which version 2 forbids"
+                : crosses ? N_("continues beyond the end of its row, which version 2 forbids")
                           : ""));
         packets.cut = cut;
         if (cut)
@@ -166,11 +166,11 @@ Fields describePixels(ByteView data, const Header& header, Sentence& damage) {
         damage = Sentence("pixel data needs {0} from offset {1}, there are {2}",
                           Sentence::plural("{0} byte", "{0} bytes", size), header.pixelOffset(), data.size());
     }
-    return {section("Image Data", header.pixelOffset(), size, Sentence("{0} pixels", header.pixelCount()),
-                    Sentence("rows from the {0}, each from the {1}",
-                             header.topFirst() ? word("top") : word("bottom"),
-                             header.rightToLeft() ? word("right") : word("left")),
-                    wrong)};
+    return {
+        section("Image Data", header.pixelOffset(), size, Sentence("{0} pixels", header.pixelCount()),
+                Sentence("rows from the {0}, each from the {1}", header.topFirst() ? N_("top") : N_("bottom"),
+                         header.rightToLeft() ? N_("right") : N_("left")),
+                wrong)};
 }
 
 Fields describeImageData(ByteView data, const Header& header, Sentence& damage) {
@@ -183,7 +183,7 @@ Fields describeImageData(ByteView data, const Header& header, Sentence& damage) 
 Sentence ratio(ByteReader& reader) {
     const int above = reader.u16();
     const int below = reader.u16();
-    return below == 0 ? "not given" : Sentence("{0} / {1}", above, below);
+    return below == 0 ? N_("not given") : Sentence("{0} / {1}", above, below);
 }
 
 // "2026-11-21 12:05:00"; the file has month, day, year, hour, minute, second.
@@ -221,7 +221,7 @@ std::string number16(ByteReader& reader) {
 
 std::string offset32(ByteReader& reader) {
     const std::uint32_t offset = reader.u32();
-    return offset == 0 ? "0 (none)" : std::to_string(offset);
+    return offset == 0 ? N_("0 (none)") : std::to_string(offset);
 }
 
 std::string characters(ByteReader& reader, std::size_t size) {
@@ -229,11 +229,11 @@ std::string characters(ByteReader& reader, std::size_t size) {
 }
 
 std::string_view attributesMeaning(int type) {
-    constexpr std::array<std::string_view, 5> meanings{"no alpha", "undefined, can be ignored",
-                                                       "undefined, should be kept", "useful alpha",
-                                                       "premultiplied alpha"};
+    constexpr std::array<std::string_view, 5> meanings{N_("no alpha"), N_("undefined, can be ignored"),
+                                                       N_("undefined, should be kept"), N_("useful alpha"),
+                                                       N_("premultiplied alpha")};
     return type < static_cast<int>(meanings.size()) ? meanings[static_cast<std::size_t>(type)]
-                                                    : std::string_view{word("reserved")};
+                                                    : std::string_view{N_("reserved")};
 }
 
 Fields describeExtension(ByteView file, const Footer& footer) {
@@ -251,30 +251,30 @@ Fields describeExtension(ByteView file, const Footer& footer) {
                                    std::move(value), std::move(meaning)));
     };
     const auto chars = [](std::size_t size) { return [size](ByteReader& r) { return characters(r, size); }; };
-    add("Extension Size", number16, "bytes, 495 in version 2.0");
+    add(N_("Extension Size"), number16, N_("bytes, 495 in version 2.0"));
     if (fields.size() > 1 && fields.back().value != std::to_string(extensionBytes))
-        fields.back().wrong = "expected 495";
-    add("Author Name", chars(41));
+        fields.back().wrong = N_("expected 495");
+    add(N_("Author Name"), chars(41));
     for (const int line : {1, 2, 3, 4})
         add(Sentence("Author Comments, line {0}", line), chars(81));
-    add("Date/Time Stamp", dateTime, "time of saving");
-    add("Job Name/ID", chars(41));
-    add("Job Time", elapsed, "working time");
-    add("Software ID", chars(41));
-    add("Software Version", version);
-    add("Key Color", keyColor, "colour of the background");
-    add("Pixel Aspect Ratio", ratio, "width / height");
-    add("Gamma Value", ratio);
-    add("Color Correction Offset", offset32);
-    add("Postage Stamp Offset", offset32);
-    add("Scan Line Offset", offset32);
+    add(N_("Date/Time Stamp"), dateTime, N_("time of saving"));
+    add(N_("Job Name/ID"), chars(41));
+    add(N_("Job Time"), elapsed, N_("working time"));
+    add(N_("Software ID"), chars(41));
+    add(N_("Software Version"), version);
+    add(N_("Key Color"), keyColor, N_("colour of the background"));
+    add(N_("Pixel Aspect Ratio"), ratio, N_("width / height"));
+    add(N_("Gamma Value"), ratio);
+    add(N_("Color Correction Offset"), offset32);
+    add(N_("Postage Stamp Offset"), offset32);
+    add(N_("Scan Line Offset"), offset32);
     add(
-        "Attributes Type", [](ByteReader& r) { return std::to_string(r.u8()); }, "meaning of alpha");
-    if (Field& last = fields.back(); last.name == "Attributes Type") {
+        N_("Attributes Type"), [](ByteReader& r) { return std::to_string(r.u8()); }, N_("meaning of alpha"));
+    if (Field& last = fields.back(); last.name == N_("Attributes Type")) {
         const int type = std::to_integer<int>(bytesOf(last, file).front());
         last.meaning = attributesMeaning(type);
         if (type > 4)
-            last.wrong = "expected 0 to 4";
+            last.wrong = N_("expected 0 to 4");
     }
     return fields;
 }
@@ -297,7 +297,7 @@ Fields describeDeveloper(ByteView file, const Footer& footer) {
         fields.push_back(
             field(Sentence("Tag {0}", ProperName{tag}), offset, 10,
                   Sentence("{0} at offset {1}", Sentence::plural("{0} byte", "{0} bytes", size), where),
-                  "for programs that know it", beyond(where, size, file.size())));
+                  N_("for programs that know it"), beyond(where, size, file.size())));
     }
     return fields;
 }
@@ -311,15 +311,17 @@ Sentence wrongOffset(std::size_t offset, std::size_t fileSize) {
 
 Fields describeFooter(ByteView file, const Footer& footer) {
     const std::size_t begin = file.size() - Footer::bytes;
-    const auto shown = [](std::uint32_t offset) { return offset == 0 ? "0 (none)" : std::to_string(offset); };
-    return {section("Footer", begin, Footer::bytes, {}, "version 2"),
-            field("Extension Area Offset", begin, 4, shown(footer.extensionOffset), {},
+    const auto shown = [](std::uint32_t offset) {
+        return offset == 0 ? N_("0 (none)") : std::to_string(offset);
+    };
+    return {section("Footer", begin, Footer::bytes, {}, N_("version 2")),
+            field(N_("Extension Area Offset"), begin, 4, shown(footer.extensionOffset), {},
                   wrongOffset(footer.extensionOffset, file.size())),
-            field("Developer Directory Offset", begin + 4, 4, shown(footer.developerOffset), {},
+            field(N_("Developer Directory Offset"), begin + 4, 4, shown(footer.developerOffset), {},
                   wrongOffset(footer.developerOffset, file.size())),
-            field("Signature", begin + 8, 16, text(file.subspan(begin + 8, 16))),
-            field("Reserved Character", begin + 24, 1, "\".\""),
-            field("Binary Zero String Terminator", begin + 25, 1, "0")};
+            field(N_("Signature"), begin + 8, 16, text(file.subspan(begin + 8, 16))),
+            field(N_("Reserved Character"), begin + 24, 1, "\".\""),
+            field(N_("Binary Zero String Terminator"), begin + 25, 1, "0")};
 }
 
 } // namespace

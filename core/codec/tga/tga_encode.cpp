@@ -61,7 +61,7 @@ std::size_t attributesType(const Image& image, AlphaMeaning alpha) {
 void writeTail(std::size_t pixelEnd, std::size_t attributes, std::byte* to) {
     std::fill_n(to, extensionBytes + Footer::bytes, std::byte{0});
     putNumber(to, extensionBytes, 2);
-    constexpr std::string_view software = "Texplorer";
+    constexpr std::string_view software = N_("Texplorer");
     constexpr std::size_t softwareIdOffset = 426;
     std::memcpy(to + softwareIdOffset, software.data(), software.size());
     putNumber(to + attributesTypeOffset, attributes, 1);

@@ -1,7 +1,7 @@
 #include "texplorer/codec/tga/tga_format.h"
 
 #include "texplorer/base/byte_reader.h"
-#include "texplorer/text/word.h"
+#include "texplorer/base/translatable.h"
 
 #include <fmt/core.h>
 
@@ -29,25 +29,25 @@ bool isColorDepth(int bits) {
 const char* describeType(const Header& header) {
     switch (header.imageType) {
     case 0:
-        return "no picture";
+        return N_("no picture");
     case 1:
         return "colour-mapped";
     case 2:
-        return "true colour";
+        return N_("true colour");
     case 3:
-        return word("grey");
+        return N_("grey");
     case 9:
-        return "colour-mapped, run-length coded";
+        return N_("colour-mapped, run-length coded");
     case 10:
-        return "true colour, run-length coded";
+        return N_("true colour, run-length coded");
     case 11:
-        return "grey, run-length coded";
+        return N_("grey, run-length coded");
     case 32:
-        return "colour-mapped; Huffman, delta and run-length coded";
+        return N_("colour-mapped; Huffman, delta and run-length coded");
     case 33:
-        return "colour-mapped; Huffman, delta and run-length coded, as a quadtree";
+        return N_("colour-mapped; Huffman, delta and run-length coded, as a quadtree");
     default:
-        return word("unknown");
+        return N_("unknown");
     }
 }
 
@@ -122,7 +122,7 @@ Check checkDescriptor(const Header& header) {
 }
 
 Sentence describeDescriptor(const Header& header) {
-    constexpr std::array corners{"bottom left", "bottom right", "top left", "top right"};
+    constexpr std::array corners{N_("bottom left"), N_("bottom right"), N_("top left"), N_("top right")};
     const auto corner = (header.topFirst() ? 2U : 0U) + (header.rightToLeft() ? 1U : 0U);
     const Sentence text =
         Sentence("{0} attribute bits, first pixel at the {1}", header.attributeBits(), corners[corner]);
@@ -139,39 +139,40 @@ std::string number(const Header& header) {
 }
 
 constexpr std::array rows{
-    HeaderRow{0, 1, "ID Length", number<&Header::idLength>,
-              [](const Header&) -> Sentence { return "bytes of the image ID, which follows the header"; },
+    HeaderRow{0, 1, N_("ID Length"), number<&Header::idLength>,
+              [](const Header&) -> Sentence { return N_("bytes of the image ID, which follows the header"); },
               fine},
-    HeaderRow{1, 1, "Color Map Type", number<&Header::colorMapType>,
+    HeaderRow{1, 1, N_("Color Map Type"), number<&Header::colorMapType>,
               [](const Header& h) -> Sentence {
-                  return h.colorMapType == 0   ? "no colour map"
-                         : h.colorMapType == 1 ? "a colour map"
-                                               : word("unknown");
+                  return h.colorMapType == 0   ? N_("no colour map")
+                         : h.colorMapType == 1 ? N_("a colour map")
+                                               : N_("unknown");
               },
               checkMapType},
-    HeaderRow{2, 1, "Image Type", number<&Header::imageType>,
+    HeaderRow{2, 1, N_("Image Type"), number<&Header::imageType>,
               [](const Header& h) -> Sentence { return describeType(h); }, checkType},
-    HeaderRow{3, 2, "First Entry Index", number<&Header::firstEntry>,
-              [](const Header&) -> Sentence { return "index of the first stored entry"; },
+    HeaderRow{3, 2, N_("First Entry Index"), number<&Header::firstEntry>,
+              [](const Header&) -> Sentence { return N_("index of the first stored entry"); },
               [](const Header& h) { return checkUnusedMapField(h, h.firstEntry); }},
-    HeaderRow{5, 2, "Color map Length", number<&Header::mapLength>,
-              [](const Header&) -> Sentence { return "stored entries"; }, checkMapLength},
-    HeaderRow{7, 1, "Color map Entry Size", number<&Header::entryBits>,
-              [](const Header&) -> Sentence { return "bits an entry"; }, checkEntrySize},
-    HeaderRow{8, 2, "X-origin of Image", number<&Header::xOrigin>,
-              [](const Header&) -> Sentence { return "left edge on the screen"; }, fine},
-    HeaderRow{10, 2, "Y-origin of Image", number<&Header::yOrigin>,
-              [](const Header&) -> Sentence { return "lower edge on the screen"; }, fine},
-    HeaderRow{12, 2, "Image Width", number<&Header::width>,
-              [](const Header&) -> Sentence { return "pixels in a row"; },
+    HeaderRow{5, 2, N_("Color map Length"), number<&Header::mapLength>,
+              [](const Header&) -> Sentence { return N_("stored entries"); }, checkMapLength},
+    HeaderRow{7, 1, N_("Color map Entry Size"), number<&Header::entryBits>,
+              [](const Header&) -> Sentence { return N_("bits an entry"); }, checkEntrySize},
+    HeaderRow{8, 2, N_("X-origin of Image"), number<&Header::xOrigin>,
+              [](const Header&) -> Sentence { return N_("left edge on the screen"); }, fine},
+    HeaderRow{10, 2, N_("Y-origin of Image"), number<&Header::yOrigin>,
+              [](const Header&) -> Sentence { return N_("lower edge on the screen"); }, fine},
+    HeaderRow{12, 2, N_("Image Width"), number<&Header::width>,
+              [](const Header&) -> Sentence { return N_("pixels in a row"); },
               [](const Header& h) { return checkExtent(h.width); }},
-    HeaderRow{14, 2, "Image Height", number<&Header::height>,
-              [](const Header&) -> Sentence { return word("rows"); },
+    HeaderRow{14, 2, N_("Image Height"), number<&Header::height>,
+              [](const Header&) -> Sentence { return N_("rows"); },
               [](const Header& h) { return checkExtent(h.height); }},
-    HeaderRow{16, 1, "Pixel Depth", number<&Header::pixelBits>,
-              [](const Header& h) -> Sentence { return h.mapped() ? "bits an index" : "bits a pixel"; },
-              checkDepth},
-    HeaderRow{17, 1, "Image Descriptor", [](const Header& h) { return bitsOf(h.descriptor); },
+    HeaderRow{
+        16, 1, N_("Pixel Depth"), number<&Header::pixelBits>,
+        [](const Header& h) -> Sentence { return h.mapped() ? N_("bits an index") : N_("bits a pixel"); },
+        checkDepth},
+    HeaderRow{17, 1, N_("Image Descriptor"), [](const Header& h) { return bitsOf(h.descriptor); },
               describeDescriptor, checkDescriptor},
 };
 
@@ -243,7 +244,7 @@ std::vector<Loss> lossesOf(ByteView extension) {
         return letter != std::byte{0} && letter != std::byte{' '};
     };
     if (std::ranges::any_of(extension.subspan(authorOffset, writtenBytes), isWritten))
-        losses.push_back({"metadata", "the author's name and the comments", false});
+        losses.push_back({"metadata", N_("the author's name and the comments"), false});
     return losses;
 }
 

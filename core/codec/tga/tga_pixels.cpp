@@ -175,7 +175,7 @@ AlphaReading readAlpha(const Header& header, ByteView extension, std::vector<Sen
     // The one bit of a 16-bit colour has different meanings in different programs; most leave it 0 without
     // a meaning.
     const char* meaningless =
-        header.alphaBits() == 1 ? "the meaning of the attribute bit is not specified" : "";
+        header.alphaBits() == 1 ? N_("the meaning of the attribute bit is not specified") : "";
     if (!extension.empty()) {
         switch (const auto type = std::to_integer<int>(extension[attributesTypeOffset])) {
         case 0:
@@ -201,7 +201,7 @@ AlphaReading readAlpha(const Header& header, ByteView extension, std::vector<Sen
         return {AlphaRule::Straight, meaningless};
     if (header.alphaBits() == 1)
         return {AlphaRule::Ignore, {}};
-    return {AlphaRule::Unknown, "the descriptor has 0 attribute bits"};
+    return {AlphaRule::Unknown, N_("the descriptor has 0 attribute bits")};
 }
 
 AlphaMeaning meaningOf(AlphaRule rule, PixelFormat format) {

@@ -1,3 +1,4 @@
+#include "texplorer/base/translatable.h"
 #include "texplorer/image/patterns/canvas.h"
 #include "texplorer/image/patterns/patterns.h"
 #include "texplorer/image/patterns/pixel_font.h"
@@ -39,13 +40,13 @@ void drawCentred(Canvas& canvas, int y, int scale, std::string_view word) {
 
 Image drawLogoOpenGl() {
     Canvas canvas = drawPlate({36, 78, 148, 255});
-    drawCentred(canvas, 22, 3, "OpenGL");
+    drawCentred(canvas, 22, 3, N_("OpenGL"));
     return std::move(canvas).take();
 }
 
 Image drawLogoMultitexture() {
     Canvas canvas = drawPlate({150, 66, 38, 255});
-    drawCentred(canvas, 37, 2, "Multi-");
+    drawCentred(canvas, 37, 2, N_("Multi-"));
     drawCentred(canvas, 14, 2, "texture");
     return std::move(canvas).take();
 }

@@ -26,11 +26,11 @@ std::string colorText(glm::vec4 c) {
     return fmt::format("{} {} {} {}", numberText(c.r), numberText(c.g), numberText(c.b), numberText(c.a));
 }
 
-constexpr const char* switchedOff = word("off");
+constexpr const char* switchedOff = N_("off");
 
 /// The heading of a table with a column for each corner.
 StepRow corners(const FragmentExplanation& fragment) {
-    StepRow row{word("vertex"), {}, {}, true};
+    StepRow row{N_("vertex"), {}, {}, true};
     for (const VertexExplanation& vertex : fragment.vertices)
         row.cells.push_back({std::to_string(vertex.vertex), Ink::Dim});
     return row;
@@ -51,8 +51,8 @@ struct PartWords {
     const char* name;
 };
 PartWords partWords(const FragmentExplanation& fragment) {
-    constexpr std::array words{PartWords{"Point", word("point")}, PartWords{"Line", word("line")},
-                               PartWords{"Triangle", word("triangle")}};
+    constexpr std::array words{PartWords{N_("Point"), N_("point")}, PartWords{N_("Line"), N_("line")},
+                               PartWords{N_("Triangle"), N_("triangle")}};
     return words.at(std::clamp<std::size_t>(fragment.vertices.size(), 1, 3) - 1);
 }
 
@@ -72,21 +72,21 @@ Step triangleStep(const FragmentExplanation& fragment) {
         perCorner("normal there", fragment, [](const auto& v) { return vectorText(v.normal); }),
         perCorner("w", fragment, [](const auto& v) { return columnText(v.clip.w); })};
     if (fragment.clipped)
-        step.rows.push_back(
-            {"It extends beyond the view and was clipped. The shares are those of the original vertices."});
+        step.rows.push_back({N_(
+            "It extends beyond the view and was clipped. The shares are those of the original vertices.")});
     return step;
 }
 
 Step primaryStep(const FragmentExplanation& fragment) {
-    Step step{StepKind::PrimaryColor, -1, "Primary colour", colorText(fragment.primary), fragment.primary};
+    Step step{StepKind::PrimaryColor, -1, N_("Primary colour"), colorText(fragment.primary),
+              fragment.primary};
     if (!fragment.lighting) {
         if (fragment.coloredVertices)
-            step.rows = {
-                {"Lighting is off: the colours of the vertices, interpolated."},
-                corners(fragment),
-                perCorner(word("colour"), fragment, [](const auto& v) { return colorText(v.primary); })};
+            step.rows = {{N_("Lighting is off: the colours of the vertices, interpolated.")},
+                         corners(fragment),
+                         perCorner("colour", fragment, [](const auto& v) { return colorText(v.primary); })};
         else
-            step.rows = {{"Lighting is off: the current colour (glColor), the same at every vertex."}};
+            step.rows = {{N_("Lighting is off: the current colour (glColor), the same at every vertex.")}};
         return step;
     }
     const auto term = [](glm::vec3 LightingTerms::*member) {
@@ -101,7 +101,7 @@ Step primaryStep(const FragmentExplanation& fragment) {
         perCorner("scene's ambient", fragment, term(&LightingTerms::scene)),
         perCorner("+ ambient", fragment, term(&LightingTerms::ambient)),
         perCorner("+ diffuse", fragment, term(&LightingTerms::diffuse)),
-        perCorner(fragment.separateSpecular ? "specular, apart" : "+ specular", fragment,
+        perCorner(fragment.separateSpecular ? N_("specular, apart") : N_("+ specular"), fragment,
                   term(&LightingTerms::specular)),
         perCorner("= primary, clamped", fragment,
                   [](const auto& v) { return vectorText(glm::vec3(v.primary)); }),
@@ -110,24 +110,24 @@ Step primaryStep(const FragmentExplanation& fragment) {
         fragment.vertices, [](const VertexExplanation& v) { return v.lighting->emission != glm::vec3(0); });
     if (emits)
         step.rows.insert(step.rows.begin() + 3,
-                         perCorner(word("emission"), fragment, term(&LightingTerms::emission)));
+                         perCorner("emission", fragment, term(&LightingTerms::emission)));
     if (fragment.twoSided && fragment.vertices.size() == 3)
-        step.rows.push_back({fragment.fromBehind ? "Seen from behind: lit with the opposite normal "
-                                                   "(GL_LIGHT_MODEL_TWO_SIDE)."
-                                                 : "Seen from the front: lit with the normal."});
+        step.rows.push_back({fragment.fromBehind ? N_("Seen from behind: lit with the opposite normal "
+                                                      "(GL_LIGHT_MODEL_TWO_SIDE).")
+                                                 : N_("Seen from the front: lit with the normal.")});
     else if (fragment.fromBehind)
-        step.rows.push_back({"Seen from behind, and lit as the front (GL_LIGHT_MODEL_TWO_SIDE is off)."});
-    step.rows.push_back({fragment.flat ? "Flat shading: the colour of the last vertex."
-                                       : "Smooth shading: interpolated between the vertices."});
+        step.rows.push_back({N_("Seen from behind, and lit as the front (GL_LIGHT_MODEL_TWO_SIDE is off).")});
+    step.rows.push_back({fragment.flat ? N_("Flat shading: the colour of the last vertex.")
+                                       : N_("Smooth shading: interpolated between the vertices.")});
     if (fragment.separateSpecular)
-        step.rows.push_back({"secondary, after texturing",
+        step.rows.push_back({N_("secondary, after texturing"),
                              {{vectorText(glm::vec3(fragment.secondary))}},
                              glm::vec4(glm::vec3(fragment.secondary), 1)});
     return step;
 }
 
 Step environmentStep(const UnitExplanation& unit) {
-    Step step{StepKind::Environment, unit.unit, "Environment", {}};
+    Step step{StepKind::Environment, unit.unit, N_("Environment"), {}};
     step.summary =
         Sentence("{0}: {1}", ProperName{rowOf(unit.mode).name}, ProperName{colorText(unit.result)});
     step.swatch = unit.result;
@@ -138,13 +138,13 @@ Step environmentStep(const UnitExplanation& unit) {
         step.rows.push_back(std::move(row));
     };
     step.rows.push_back(componentHeading(""));
-    input("Cp, Ap: incoming", unit.inputs.previous);
-    input("Cs, As: texture", unit.inputs.source);
+    input(N_("Cp, Ap: incoming"), unit.inputs.previous);
+    input(N_("Cs, As: texture"), unit.inputs.source);
     const std::string written = unit.equations.color.symbols + unit.equations.alpha.symbols;
-    if (written.find("Cc") != std::string::npos || written.find("Ac") != std::string::npos)
-        input("Cc, Ac: constant", unit.inputs.constant);
-    if (written.find("Cf") != std::string::npos || written.find("Af") != std::string::npos)
-        input("Cf, Af: primary", unit.inputs.primary);
+    if (written.find(N_("Cc")) != std::string::npos || written.find(N_("Ac")) != std::string::npos)
+        input(N_("Cc, Ac: constant"), unit.inputs.constant);
+    if (written.find(N_("Cf")) != std::string::npos || written.find(N_("Af")) != std::string::npos)
+        input(N_("Cf, Af: primary"), unit.inputs.primary);
     step.rows.push_back({unit.equations.color.symbols, {}, {}, false, Ink::Dim});
     for (std::size_t i = 0; i < unit.equations.color.numbers.size(); ++i)
         step.rows.push_back(
@@ -167,7 +167,7 @@ Step environmentStep(const UnitExplanation& unit) {
 }
 
 Step colorSumStep(const FragmentExplanation& fragment) {
-    Step step{StepKind::ColorSum, -1, "Colour sum", colorText(fragment.summed), fragment.summed};
+    Step step{StepKind::ColorSum, -1, N_("Colour sum"), colorText(fragment.summed), fragment.summed};
     for (int i = 0; i < 3; ++i) {
         const float sum = fragment.textured[i] + fragment.secondary[i];
         const std::string addends =
@@ -178,25 +178,27 @@ Step colorSumStep(const FragmentExplanation& fragment) {
 }
 
 Step fogStep(const FragmentExplanation& fragment, const FogExplanation& fog) {
-    Step step{StepKind::Fog, -1, "Fog", colorText(fragment.color), fragment.color};
+    Step step{StepKind::Fog, -1, N_("Fog"), colorText(fragment.color), fragment.color};
     const glm::vec4 color = glm::clamp(fog.state.color, 0.0F, 1.0F);
-    step.rows = {{word("mode"), {{std::string(rowOf(fog.state.mode).name)}}},
-                 {"c: distance from the eye's plane", {{numberText(fog.distance)}}},
+    step.rows = {{N_("mode"), {{std::string(rowOf(fog.state.mode).name)}}},
+                 {N_("c: distance from the eye's plane"), {{numberText(fog.distance)}}},
                  {fog.equation.symbols, {}, {}, false, Ink::Dim}};
     for (const Sentence& numbers : fog.equation.numbers)
         step.rows.push_back({"f", {{numbers}}});
-    step.rows.push_back({"f, clamped", {{numberText(fog.factor)}}});
-    step.rows.push_back({"Cr: before", {{colorText(fragment.summed)}}, fragment.summed});
-    step.rows.push_back({"Cf: fog colour", {{vectorText(glm::vec3(color))}}, glm::vec4(glm::vec3(color), 1)});
-    step.rows.push_back({"C = f * Cr + (1 - f) * Cf", {}, {}, false, Ink::Dim});
+    step.rows.push_back({N_("f, clamped"), {{numberText(fog.factor)}}});
+    step.rows.push_back({N_("Cr: before"), {{colorText(fragment.summed)}}, fragment.summed});
+    step.rows.push_back(
+        {N_("Cf: fog colour"), {{vectorText(glm::vec3(color))}}, glm::vec4(glm::vec3(color), 1)});
+    step.rows.push_back({N_("C = f * Cr + (1 - f) * Cf"), {}, {}, false, Ink::Dim});
     for (int i = 0; i < 3; ++i)
         step.rows.push_back(
             {componentNames.at(static_cast<std::size_t>(i)),
-             {{fmt::format("{} = {}",
-                           inNumbers("f * Cr + (1 - f) * Cf",
-                                     {{"f", fog.factor}, {"Cr", fragment.summed[i]}, {"Cf", color[i]}}),
-                           numberText(fragment.color[i]))}}});
-    step.rows.push_back({"Alpha is unchanged."});
+             {{fmt::format(
+                 "{} = {}",
+                 inNumbers(N_("f * Cr + (1 - f) * Cf"),
+                           {{"f", fog.factor}, {N_("Cr"), fragment.summed[i]}, {N_("Cf"), color[i]}}),
+                 numberText(fragment.color[i]))}}});
+    step.rows.push_back({N_("Alpha is unchanged.")});
     return step;
 }
 
@@ -207,10 +209,10 @@ Step testStep(StepKind kind, const char* title, const TestExplanation<T>& test, 
     if (!test.enabled)
         return step;
     step.summary = Sentence("{0} {1} {2}: {3}", ProperName{value}, ProperName{rowOf(test.function).name},
-                            ProperName{with}, test.passed ? word("passed") : word("failed"));
-    step.rows = {{"of the fragment", {{value}}},
-                 {kind == StepKind::AlphaTest ? "reference value" : "in the depth buffer", {{with}}},
-                 {test.passed ? word("passed") : "failed: nothing is written",
+                            ProperName{with}, test.passed ? N_("passed") : N_("failed"));
+    step.rows = {{N_("of the fragment"), {{value}}},
+                 {kind == StepKind::AlphaTest ? N_("reference value") : N_("in the depth buffer"), {{with}}},
+                 {test.passed ? N_("passed") : N_("failed: nothing is written"),
                   {},
                   {},
                   false,
@@ -225,7 +227,7 @@ Step alphaTestStep(const TestExplanation<float>& test) {
         return needsBytes ? fmt::format("{:.0f}/255", std::floor(glm::clamp(alpha, 0.0F, 1.0F) * 255 + 0.5F))
                           : numberText(alpha, other);
     };
-    return testStep(StepKind::AlphaTest, "Alpha test", test, shown(test.value, test.with),
+    return testStep(StepKind::AlphaTest, N_("Alpha test"), test, shown(test.value, test.with),
                     shown(test.with, test.value));
 }
 
@@ -235,7 +237,7 @@ std::string depthText(std::uint32_t depth) {
 
 Step blendStep(const FragmentExplanation& fragment) {
     const BlendExplanation& blend = fragment.blend;
-    Step step{StepKind::Blending, -1, "Blending", switchedOff};
+    Step step{StepKind::Blending, -1, N_("Blending"), switchedOff};
     if (!blend.enabled)
         return step;
     step.summary = colorText(blend.result);
@@ -261,10 +263,10 @@ glm::vec4 colorOfBytes(const PixelBytes& bytes) {
 }
 
 Step framebufferStep(const FragmentExplanation& fragment) {
-    Step step{StepKind::Framebuffer, -1, "Framebuffer", bytesText(fragment.after),
+    Step step{StepKind::Framebuffer, -1, N_("Framebuffer"), bytesText(fragment.after),
               colorOfBytes(fragment.after)};
-    step.rows = {{word("before"), {{bytesText(fragment.before)}}, colorOfBytes(fragment.before)},
-                 {word("after"), {{bytesText(fragment.after)}}, colorOfBytes(fragment.after)}};
+    step.rows = {{N_("before"), {{bytesText(fragment.before)}}, colorOfBytes(fragment.before)},
+                 {N_("after"), {{bytesText(fragment.after)}}, colorOfBytes(fragment.after)}};
     return step;
 }
 
@@ -330,9 +332,9 @@ FragmentSteps stepsOf(const FragmentExplanation& fragment) {
                      : Sentence("{0}, {1}, {2} {3} (models[{4}], pass {5})", shape, fragment.face, part,
                                 fragment.part, fragment.model, fragment.pass);
     text.drawn = fragment.outcome == FragmentOutcome::Drawn;
-    text.outcome = fragment.outcome == FragmentOutcome::FailedAlphaTest   ? "failed the alpha test"
-                   : fragment.outcome == FragmentOutcome::FailedDepthTest ? "failed the depth test"
-                                                                          : word("drawn");
+    text.outcome = fragment.outcome == FragmentOutcome::FailedAlphaTest   ? N_("failed the alpha test")
+                   : fragment.outcome == FragmentOutcome::FailedDepthTest ? N_("failed the depth test")
+                                                                          : N_("drawn");
     std::vector<Step>& steps = text.steps;
     steps.push_back(triangleStep(fragment));
     steps.push_back(primaryStep(fragment));
@@ -344,8 +346,8 @@ FragmentSteps stepsOf(const FragmentExplanation& fragment) {
     for (const IdleUnit& idle : fragment.idle)
         steps.push_back({StepKind::IdleUnit,
                          idle.unit,
-                         "Without effect",
-                         "as if it were off",
+                         N_("Without effect"),
+                         N_("as if it were off"),
                          {},
                          {{idle.reason, {}, {}, false, Ink::Bad}}});
     if (fragment.separateSpecular)
@@ -353,7 +355,7 @@ FragmentSteps stepsOf(const FragmentExplanation& fragment) {
     if (fragment.fog)
         steps.push_back(fogStep(fragment, *fragment.fog));
     steps.push_back(alphaTestStep(fragment.alphaTest));
-    steps.push_back(testStep(StepKind::DepthTest, "Depth test", fragment.depthTest,
+    steps.push_back(testStep(StepKind::DepthTest, N_("Depth test"), fragment.depthTest,
                              depthText(fragment.depthTest.value), depthText(fragment.depthTest.with)));
     if (text.drawn) {
         steps.push_back(blendStep(fragment));

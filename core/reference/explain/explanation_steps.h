@@ -4,8 +4,8 @@
 // collapsed.
 
 #include "texplorer/base/sentence.h"
+#include "texplorer/base/translatable.h"
 #include "texplorer/reference/explain/explanation.h"
-#include "texplorer/text/word.h"
 
 #include <array>
 #include <optional>
@@ -79,7 +79,7 @@ struct FragmentSteps {
 [[nodiscard]] int differenceOf(const PixelBytes& one, const PixelBytes& other);
 
 /// The names of colour components that users read.
-inline constexpr std::array componentNames{word("red"), word("green"), word("blue"), word("alpha")};
+inline constexpr std::array componentNames{N_("red"), N_("green"), N_("blue"), N_("alpha")};
 
 /// A label with leading spaces, which mark it as part of the row above.
 [[nodiscard]] Sentence indented(const Sentence& label);

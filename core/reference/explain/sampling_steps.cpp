@@ -52,7 +52,7 @@ bool compares(const UnitExplanation& unit) {
 
 Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation& unit) {
     const int axes = compares(unit) ? 3 : coordinatesOf(unit.target);
-    Step step{StepKind::Coordinates, unit.unit, "Texture coordinates", {}};
+    Step step{StepKind::Coordinates, unit.unit, N_("Texture coordinates"), {}};
     std::string coords;
     for (int i = 0; i < axes; ++i)
         coords += fmt::format("{}{} {}", i > 0 ? ", " : "", coordinateNames.at(static_cast<std::size_t>(i)),
@@ -63,25 +63,25 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
         for (std::size_t i = 0; i < unit.vertices.size(); ++i)
             step.rows.push_back(coordinates(indented(Sentence("at vertex {0}", fragment.vertices[i].vertex)),
                                             unit.vertices[i].*member));
-        step.rows.push_back(coordinates(indented(word("here")), unit.pixel.*member));
+        step.rows.push_back(coordinates(indented(N_("here")), unit.pixel.*member));
     };
-    stage(word("given"), &CoordinateSteps::given);
+    stage(N_("given"), &CoordinateSteps::given);
     if (unit.embosses)
-        stage("moved towards the light", &CoordinateSteps::embossed);
+        stage(N_("moved towards the light"), &CoordinateSteps::embossed);
     std::string generated;
     for (std::size_t i = 0; i < 4; ++i)
         generated += unit.generates[i] ? std::string(generated.empty() ? "" : ", ") + coordinateNames[i] : "";
     if (unit.flipped)
-        step.rows.push_back({"The image is upside down: t becomes q - t."});
+        step.rows.push_back({N_("The image is upside down: t becomes q - t.")});
     if (!generated.empty())
         step.rows.push_back({generated.size() > 1
                                  ? Sentence("{0} are generated at each vertex.", ProperName{generated})
                                  : Sentence("{0} is generated at each vertex.", ProperName{generated})});
     if (unit.flipped || !generated.empty())
-        stage(word("generated"), &CoordinateSteps::generated);
+        stage(N_("generated"), &CoordinateSteps::generated);
     if (unit.matrix != glm::mat4(1))
-        stage("after the matrix", &CoordinateSteps::transformed);
-    step.rows.push_back(coordinates("over q", glm::vec4(unit.coords, 0), 3));
+        stage(N_("after the matrix"), &CoordinateSteps::transformed);
+    step.rows.push_back(coordinates(N_("over q"), glm::vec4(unit.coords, 0), 3));
     if (unit.sample.cube) {
         const auto& [face, place, change] = *unit.sample.cube;
         step.rows.push_back(
@@ -93,13 +93,13 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
                                               rowOf(cubeFaceAt(tie.other)).label)});
     }
     if (unit.pixel.transformed.q < 0)
-        step.rows.push_back({"q is below 0: this point is behind the projector."});
+        step.rows.push_back({N_("q is below 0: this point is behind the projector.")});
     if (!std::isfinite(unit.coords.s) || (axes > 1 && !std::isfinite(unit.coords.t)) ||
         (axes > 2 && !std::isfinite(unit.coords.r)))
         step.rows.push_back(
             {unit.pixel.transformed.q == 0
-                 ? "q is 0: the quotient is undefined. Values that are not numbers count as 0 here."
-                 : "A coordinate is infinite or not a number: undefined. It counts as 0 here.",
+                 ? N_("q is 0: the quotient is undefined. Values that are not numbers count as 0 here.")
+                 : N_("A coordinate is infinite or not a number: undefined. It counts as 0 here."),
              {},
              {},
              false,
@@ -118,19 +118,19 @@ bool isLinearHere(const UnitExplanation& unit) {
 Step lodStep(const UnitExplanation& unit) {
     const Lod& lod = unit.sample.lod;
     const int axes = axesOf(unit.target);
-    Step step{StepKind::LevelOfDetail, unit.unit, "Level of detail", {}};
+    Step step{StepKind::LevelOfDetail, unit.unit, N_("Level of detail"), {}};
     step.summary = Sentence("lambda {0}: {1}", ProperName{lambdaText(lod)},
-                            lod.magnified ? word("magnified") : word("minified"));
+                            lod.magnified ? N_("magnified") : N_("minified"));
     const Derivatives& change = unit.sample.cube ? unit.sample.cube->derivatives : unit.derivatives;
     step.rows.push_back(
-        heading(unit.sample.cube ? "from pixel to pixel, on the face" : "from pixel to pixel", axes));
+        heading(unit.sample.cube ? N_("from pixel to pixel, on the face") : N_("from pixel to pixel"), axes));
     step.rows.push_back(coordinates(indented("d/dx"), glm::vec4(change.dx, 0), axes, derivativeDigits));
     step.rows.push_back(coordinates(indented("d/dy"), glm::vec4(change.dy, 0), axes, derivativeDigits));
     const auto value = [&](Sentence label, double number) {
         step.rows.push_back({std::move(label), {{amountText(static_cast<float>(number))}}});
     };
-    value("texels a pixel, in x", lod.lengthX);
-    value("texels a pixel, in y", lod.lengthY);
+    value(N_("texels a pixel, in x"), lod.lengthX);
+    value(N_("texels a pixel, in y"), lod.lengthY);
     const std::string limit = numberText(unit.sampler.maxAnisotropy);
     if (lod.ellipse)
         step.rows.push_back({Sentence(
@@ -143,19 +143,19 @@ Step lodStep(const UnitExplanation& unit) {
     else if (lod.probes > 1)
         value(Sentence("anisotropic, up to {0}: probes", ProperName{limit}), static_cast<float>(lod.probes));
     value(lod.ellipse || lod.line          ? "rho"
-          : lod.probes > 1                 ? "rho = the longer, divided by the probes"
-          : lod.method == RhoMethod::Lower ? "rho = the largest derivative of u, v and w"
-          : lod.method == RhoMethod::Upper ? "rho = the largest derivatives of u, v and w, added"
-                                           : "rho = the longer",
+          : lod.probes > 1                 ? N_("rho = the longer, divided by the probes")
+          : lod.method == RhoMethod::Lower ? N_("rho = the largest derivative of u, v and w")
+          : lod.method == RhoMethod::Upper ? N_("rho = the largest derivatives of u, v and w, added")
+                                           : N_("rho = the longer"),
           lod.rho);
     value("log2(rho)", lod.base);
     if (unit.sampler.lodBias != 0)
-        value("+ LOD bias of the texture", unit.sampler.lodBias);
+        value(N_("+ LOD bias of the texture"), unit.sampler.lodBias);
     if (unit.lodBias != 0)
-        value("+ LOD bias of the unit", unit.lodBias);
+        value(N_("+ LOD bias of the unit"), unit.lodBias);
     if (lod.bias != unit.sampler.lodBias + unit.lodBias)
         step.rows.push_back(
-            {unit.sampler.lodBias != 0 && unit.lodBias != 0 ? "together clamped to" : "clamped to",
+            {unit.sampler.lodBias != 0 && unit.lodBias != 0 ? N_("together clamped to") : N_("clamped to"),
              {{numberText(lod.bias)}}});
     if (lod.lambda != lod.biased)
         step.rows.push_back({Sentence("clamped to {0} ... {1}", ProperName{numberText(unit.sampler.minLod)},
@@ -176,20 +176,21 @@ Step lodStep(const UnitExplanation& unit) {
                           ProperName{rowOf(unit.sampler.minFilter).name})});
     }
     if (lod.undefined)
-        step.rows.push_back({unit.sampler.minLod > unit.sampler.maxLod
-                                 ? "The min LOD is above the max LOD: undefined. The max LOD is used here."
-                                 : "A derivative is infinite or not a number: undefined. rho is 1 here.",
-                             {},
-                             {},
-                             false,
-                             Ink::Bad});
+        step.rows.push_back(
+            {unit.sampler.minLod > unit.sampler.maxLod
+                 ? N_("The min LOD is above the max LOD: undefined. The max LOD is used here.")
+                 : N_("A derivative is infinite or not a number: undefined. rho is 1 here."),
+             {},
+             {},
+             false,
+             Ink::Bad});
     return step;
 }
 
 Sentence texelText(int index, int size, bool seamless) {
     return index >= 0 && index < size ? Sentence("texel {0}", index)
-           : seamless                 ? "the next face"
-                                      : "the border";
+           : seamless                 ? N_("the next face")
+                                      : N_("the border");
 }
 
 /// What wrapping makes of a coordinate, and where that is in a row of texels: "1.5179 → clamped to 1 → × 8 =
@@ -260,7 +261,7 @@ bool isAtCorner(const UnitExplanation& unit, int level, int size) {
 }
 
 Step wrapStep(const UnitExplanation& unit) {
-    Step step{StepKind::Wrap, unit.unit, "Levels and wrapping", {}};
+    Step step{StepKind::Wrap, unit.unit, N_("Levels and wrapping"), {}};
     std::vector<Sentence> levels;
     for (const LevelShare& share : unit.sample.levels)
         levels.push_back(unit.sample.levels.size() > 1
@@ -284,7 +285,7 @@ Step wrapStep(const UnitExplanation& unit) {
             const bool seamless = unit.sample.seamless;
             const bool isNearest = !isLinearHere(unit) && !unit.sample.lod.ellipse; // which weighs all in it
             step.rows.push_back({indented(Sentence("{0}, {1}", ProperName{coordinateNames.at(i)},
-                                                   seamless ? word("seamless") : rowOf(found->wrap).name)),
+                                                   seamless ? N_("seamless") : rowOf(found->wrap).name)),
                                  {{isNearest ? nearestText(*found, row, seamless) : wrapText(*found, row),
                                    coordinateInks.at(i)}}});
             if (isLinearHere(unit) && !unit.sample.lod.ellipse)
@@ -302,7 +303,7 @@ Step wrapStep(const UnitExplanation& unit) {
         }
         if (isAtCorner(unit, extent.level, extent.size.x))
             step.rows.push_back(
-                {"Three faces meet here: the mean of their texels replaces the missing fourth."});
+                {N_("Three faces meet here: the mean of their texels replaces the missing fourth.")});
     }
     if (unit.sample.probes.size() > 1)
         step.rows.push_back({Sentence("The first of {0} probes is shown.", unit.sample.probes.size())});
@@ -326,7 +327,7 @@ std::string shorter(float value) {
 
 /// "6/15" below each component of a tap.
 StepRow storedRow(const StoredTexel& stored) {
-    StepRow row{indented(word("stored")), {{}}};
+    StepRow row{indented(N_("stored")), {{}}};
     for (std::size_t c = 0; c < stored.numbers.size(); ++c)
         row.cells.push_back(
             {stored.max[c] == 0 ? "-" : fmt::format("{}/{}", stored.numbers[c], stored.max[c]), Ink::Dim});
@@ -348,7 +349,7 @@ Step depthsStep(const UnitExplanation& unit) {
     const glm::vec4 color = unit.sample.color;
     // In any format, the first or the last component has the depth.
     const float result = unit.format == BaseFormat::Alpha ? color.a : color.r;
-    Step step{StepKind::Texels, unit.unit, asks ? "Depths, compared" : "Depths", {}};
+    Step step{StepKind::Texels, unit.unit, asks ? N_("Depths, compared") : N_("Depths"), {}};
     step.swatch = color;
     const std::string function(rowOf(unit.sampler.compareFunc).name);
     step.summary =
@@ -361,8 +362,8 @@ Step depthsStep(const UnitExplanation& unit) {
         });
     const int digits = isClose ? allDigits : depthDigits;
     if (asks)
-        step.rows.push_back({"r over q, clamped to 0 ... 1", {{columnText(r, digits), Ink::R}}});
-    StepRow head{word("texel"), {{word("weight"), Ink::Dim}, {word("depth"), Ink::Dim}}, {}, true};
+        step.rows.push_back({N_("r over q, clamped to 0 ... 1"), {{columnText(r, digits), Ink::R}}});
+    StepRow head{N_("texel"), {{N_("weight"), Ink::Dim}, {N_("depth"), Ink::Dim}}, {}, true};
     if (asks)
         head.cells.push_back({function, Ink::Dim});
     step.rows.push_back(std::move(head));
@@ -376,7 +377,7 @@ Step depthsStep(const UnitExplanation& unit) {
                     tap.color};
         if (asks) {
             const bool passed = (unit.format == BaseFormat::Alpha ? tap.color.a : tap.color.r) != 0;
-            row.cells.push_back({passed ? "1: passes" : "0: fails", passed ? Ink::Good : Ink::Bad});
+            row.cells.push_back({passed ? N_("1: passes") : N_("0: fails"), passed ? Ink::Good : Ink::Bad});
         }
         step.rows.push_back(std::move(row));
     }
@@ -385,7 +386,7 @@ Step depthsStep(const UnitExplanation& unit) {
     if (const Sentence sentence = preparedSentence(unit); !sentence.empty())
         step.rows.push_back({sentence, {}, {}, false, Ink::Dim});
     step.rows.push_back(
-        {asks ? "filtered: the share that passes" : word("filtered"), {{columnText(result)}}, color});
+        {asks ? N_("filtered: the share that passes") : N_("filtered"), {{columnText(result)}}, color});
     step.rows.push_back({Sentence("as {0}", ProperName{rowOf(unit.sampler.depthMode).name}),
                          {{fmt::format("{} {} {} {}", numberText(color.r), numberText(color.g),
                                        numberText(color.b), numberText(color.a))}},
@@ -396,13 +397,13 @@ Step depthsStep(const UnitExplanation& unit) {
 Step texelsStep(const UnitExplanation& unit) {
     if (isDepth(unit.internalFormat))
         return depthsStep(unit);
-    Step step{StepKind::Texels, unit.unit, "Texels", {}};
+    Step step{StepKind::Texels, unit.unit, N_("Texels"), {}};
     const glm::vec4 color = unit.sample.color;
     step.swatch = color;
     step.summary = fmt::format("{} {} {} {}", numberText(color.r), numberText(color.g), numberText(color.b),
                                numberText(color.a));
-    StepRow head = componentHeading(word("texel"));
-    head.cells.insert(head.cells.begin(), {word("weight"), Ink::Dim});
+    StepRow head = componentHeading(N_("texel"));
+    head.cells.insert(head.cells.begin(), {N_("weight"), Ink::Dim});
     step.rows.push_back(std::move(head));
     const std::vector<Tap> taps = mergedTaps(unit.sample);
     for (std::size_t i = 0; i < std::min(taps.size(), maxTapsShown); ++i) {
@@ -426,7 +427,7 @@ Step texelsStep(const UnitExplanation& unit) {
         if (!sentence.empty())
             step.rows.push_back({sentence, {}, {}, false, Ink::Dim});
     }
-    StepRow sum{word("filtered"), {{columnText(1)}}, color};
+    StepRow sum{N_("filtered"), {{columnText(1)}}, color};
     for (int c = 0; c < 4; ++c)
         sum.cells.push_back({shorter(color[c])});
     step.rows.push_back(std::move(sum));

@@ -1,3 +1,4 @@
+
 // Fragments: the bytes of shade.h and of raster.cpp's literal fragment, which are the text to read, for
 // several pixels at a time. Compiled once for each number of lanes: see kernel.h.
 

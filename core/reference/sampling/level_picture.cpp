@@ -4,8 +4,6 @@
 #include "texplorer/image/cube_faces.h"
 #include "texplorer/s3tc/surface_pixels.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 namespace texplorer::reference {

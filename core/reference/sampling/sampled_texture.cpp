@@ -7,7 +7,6 @@
 #include "texplorer/s3tc/decode.h"
 #include "texplorer/s3tc/encode.h"
 
-#include <fmt/core.h>
 #include <glm/common.hpp>
 
 #include <algorithm>

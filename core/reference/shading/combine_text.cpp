@@ -80,22 +80,22 @@ public:
             return unit < textures_.size() && textures_[unit] ? *textures_[unit] : glm::vec4(0);
         };
         const std::array units{textureOf(0), textureOf(1), textureOf(2), textureOf(3)};
-        return inNumbers(symbols, {{"Cp", inputs_.previous[component]},
-                                   {"Cs", inputs_.source[component]},
-                                   {"Cc", inputs_.constant[component]},
-                                   {"Cf", inputs_.primary[component]},
-                                   {"Ap", inputs_.previous.a},
-                                   {"As", inputs_.source.a},
-                                   {"Ac", inputs_.constant.a},
-                                   {"Af", inputs_.primary.a},
-                                   {"Cs0", units[0][component]},
-                                   {"Cs1", units[1][component]},
-                                   {"Cs2", units[2][component]},
-                                   {"Cs3", units[3][component]},
-                                   {"As0", units[0].a},
-                                   {"As1", units[1].a},
-                                   {"As2", units[2].a},
-                                   {"As3", units[3].a}});
+        return inNumbers(symbols, {{N_("Cp"), inputs_.previous[component]},
+                                   {N_("Cs"), inputs_.source[component]},
+                                   {N_("Cc"), inputs_.constant[component]},
+                                   {N_("Cf"), inputs_.primary[component]},
+                                   {N_("Ap"), inputs_.previous.a},
+                                   {N_("As"), inputs_.source.a},
+                                   {N_("Ac"), inputs_.constant.a},
+                                   {N_("Af"), inputs_.primary.a},
+                                   {N_("Cs0"), units[0][component]},
+                                   {N_("Cs1"), units[1][component]},
+                                   {N_("Cs2"), units[2][component]},
+                                   {N_("Cs3"), units[3][component]},
+                                   {N_("As0"), units[0].a},
+                                   {N_("As1"), units[1].a},
+                                   {N_("As2"), units[2].a},
+                                   {N_("As3"), units[3].a}});
     }
 
 private:
@@ -123,8 +123,8 @@ EnvironmentEquations equationsOf(const Combine& combine, const EnvironmentInputs
     const EnvironmentResult result = evaluateUnclamped(combine, inputs, textures);
     equations.undefined = result.undefined;
     if (equations.undefined) {
-        equations.color.symbols = "Cv = undefined; here Cp";
-        equations.alpha.symbols = "Av = undefined; here Ap";
+        equations.color.symbols = N_("Cv = undefined; here Cp");
+        equations.alpha.symbols = N_("Av = undefined; here Ap");
         for (int i = 0; i < 4; ++i)
             (i < 3 ? equations.color : equations.alpha)
                 .numbers.push_back(withResult(shortNumber(inputs.previous[i]), inputs.previous[i]));

@@ -21,13 +21,13 @@ struct FunctionRow {
 };
 
 constexpr std::array functionRows{
-    FunctionRow{Function::Previous, "Cp", "Ap"},
-    FunctionRow{Function::Source, "Cs", "As"},
-    FunctionRow{Function::Product, "Cp * Cs", "Ap * As"},
-    FunctionRow{Function::Sum, "Cp + Cs", "Ap + As"},
-    FunctionRow{Function::Decal, "Cp * (1 - As) + Cs * As", ""},
-    FunctionRow{Function::Blend, "Cp * (1 - Cs) + Cc * Cs", "Ap * (1 - As) + Ac * As"},
-    FunctionRow{Function::Undefined, "undefined; here Cp", "undefined; here Ap"},
+    FunctionRow{Function::Previous, N_("Cp"), N_("Ap")},
+    FunctionRow{Function::Source, N_("Cs"), N_("As")},
+    FunctionRow{Function::Product, N_("Cp * Cs"), N_("Ap * As")},
+    FunctionRow{Function::Sum, N_("Cp + Cs"), N_("Ap + As")},
+    FunctionRow{Function::Decal, N_("Cp * (1 - As) + Cs * As"), ""},
+    FunctionRow{Function::Blend, N_("Cp * (1 - Cs) + Cc * Cs"), N_("Ap * (1 - As) + Ac * As")},
+    FunctionRow{Function::Undefined, N_("undefined; here Cp"), N_("undefined; here Ap")},
 };
 
 /// One component: `previous`, `source` and `constant` are those of this component.
@@ -55,12 +55,12 @@ const FunctionRow& rowOf(Function function) {
 }
 
 Sentence numbersOf(std::string_view symbols, const EnvironmentInputs& in, int component, float result) {
-    return withResult(inNumbers(symbols, {{"Cp", in.previous[component]},
-                                          {"Cs", in.source[component]},
-                                          {"Cc", in.constant[component]},
-                                          {"Ap", in.previous.a},
-                                          {"As", in.source.a},
-                                          {"Ac", in.constant.a}}),
+    return withResult(inNumbers(symbols, {{N_("Cp"), in.previous[component]},
+                                          {N_("Cs"), in.source[component]},
+                                          {N_("Cc"), in.constant[component]},
+                                          {N_("Ap"), in.previous.a},
+                                          {N_("As"), in.source.a},
+                                          {N_("Ac"), in.constant.a}}),
                       result);
 }
 
@@ -119,7 +119,7 @@ EnvironmentEquations equationsOf(EnvMode mode, BaseFormat format, const Environm
         const Function function = i < 3 ? cell.color : cell.alpha;
         const float result = apply(function, previous[i], source[i], constant[i], source.a);
         const bool undefined = function == Function::Undefined;
-        const std::string_view symbols = undefined ? (i < 3 ? "Cp" : "Ap")
+        const std::string_view symbols = undefined ? (i < 3 ? N_("Cp") : N_("Ap"))
                                          : i < 3   ? rowOf(function).color
                                                    : rowOf(function).alpha;
         (i < 3 ? equations.color : equations.alpha).numbers.push_back(numbersOf(symbols, inputs, i, result));

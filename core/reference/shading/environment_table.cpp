@@ -59,17 +59,17 @@ EnvironmentInputs inputsOf(BaseFormat format, const TableColors& colors) {
 SourceSymbols sourceSymbols(BaseFormat format) {
     switch (format) {
     case BaseFormat::Alpha:
-        return {"0", "At"};
+        return {"0", N_("At")};
     case BaseFormat::Luminance:
-        return {"Lt", "1"};
+        return {N_("Lt"), "1"};
     case BaseFormat::LuminanceAlpha:
-        return {"Lt", "At"};
+        return {N_("Lt"), N_("At")};
     case BaseFormat::Intensity:
-        return {"It", "It"};
+        return {N_("It"), N_("It")};
     case BaseFormat::Rgb:
-        return {"Ct", "1"};
+        return {N_("Ct"), "1"};
     case BaseFormat::Rgba:
-        return {"Ct", "At"};
+        return {N_("Ct"), N_("At")};
     }
     return {};
 }

@@ -30,11 +30,11 @@ float unclampedFogFactor(const Fog& fog, float distance) {
 constexpr std::string_view fogSymbols(FogMode mode) {
     switch (mode) {
     case FogMode::Linear:
-        return "(end - c) / (end - start)";
+        return N_("(end - c) / (end - start)");
     case FogMode::Exp:
-        return "e^(-density * c)";
+        return N_("e^(-density * c)");
     case FogMode::Exp2:
-        return "e^(-(density * c)^2)";
+        return N_("e^(-(density * c)^2)");
     }
     return {};
 }

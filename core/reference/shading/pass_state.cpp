@@ -2,7 +2,6 @@
 
 #include "texplorer/reference/shading/coordinates.h"
 
-#include <fmt/core.h>
 #include <glm/common.hpp>
 
 namespace texplorer::reference {

@@ -21,9 +21,9 @@ struct TargetWords {
 };
 constexpr std::array targetWords{
     TargetWords{Target::Texture1D, "1", "width"},
-    TargetWords{Target::Texture2D, "2", "width, height"},
-    TargetWords{Target::Texture3D, "3", "width, height, depth"},
-    TargetWords{Target::CubeMap, "2", "width, height", "{first face} + face"},
+    TargetWords{Target::Texture2D, "2", N_("width, height")},
+    TargetWords{Target::Texture3D, "3", N_("width, height, depth")},
+    TargetWords{Target::CubeMap, "2", N_("width, height"), N_("{first face} + face")},
 };
 static_assert(targetWords.size() == EnumTable<Target>::rows.size());
 

@@ -13,9 +13,9 @@ Sentence foundText(const nlohmann::json& json) {
     if (json.is_string())
         return ProperName{inQuotes(json.get_ref<const std::string&>())};
     if (json.is_array())
-        return "a list";
+        return N_("a list");
     if (json.is_object())
-        return "an object";
+        return N_("an object");
     return ProperName{json.dump()};
 }
 
@@ -24,7 +24,7 @@ JsonObject::JsonObject(const nlohmann::json& json, std::string where, std::optio
     , where_(std::move(where))
     , problem_(problem) {
     if (!json.is_object())
-        say(ErrorCode::Malformed, "", Sentence("expected {0}, found {1}", "an object", foundText(json)));
+        say(ErrorCode::Malformed, "", Sentence("expected {0}, found {1}", N_("an object"), foundText(json)));
 }
 
 JsonObject::~JsonObject() {
@@ -55,7 +55,7 @@ void JsonObject::text(const char* key, std::string& target, std::size_t maxBytes
     if (!value)
         return;
     if (!value->is_string())
-        return refuse(key, "a text");
+        return refuse(key, N_("a text"));
     target = value->get<std::string>();
     if (target.size() > maxBytes)
         say(ErrorCode::TooLarge, key,
@@ -67,7 +67,7 @@ void JsonObject::flag(const char* key, bool& target) {
     if (value && value->is_boolean())
         target = value->get<bool>();
     else if (value)
-        refuse(key, "true or false");
+        refuse(key, N_("true or false"));
 }
 
 void JsonObject::number(const char* key, double& target, double min, double max) {

@@ -49,7 +49,7 @@ public:
     void list(const char* key, std::size_t min, std::size_t max, const Take& take) {
         const nlohmann::json* value = min > 0 ? need(key) : find(key);
         if (value && !value->is_array())
-            refuse(key, "a list");
+            refuse(key, N_("a list"));
         else if (value)
             eachOf(key, *value, min, max, take);
     }

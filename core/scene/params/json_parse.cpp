@@ -167,14 +167,14 @@ Sentence Reader::expected() const {
         if (frame.versionNext)
             return Sentence("version {0}", sceneFormatVersion);
         if (frame.schemaNext)
-            return "a text";
+            return N_("a text");
         if (frame.row)
             return describeAccepted(*frame.row);
         return frame.child->indexed ? "an array" : "an object";
     case Frame::Kind::List:
         return "an object";
     case Frame::Kind::Numbers:
-        return "a number between -3.4e38 and 3.4e38";
+        return N_("a number between -3.4e38 and 3.4e38");
     case Frame::Kind::Elements: {
         const ElementNumbers numbers = *elementNumbers(frame.row->kind);
         return numbers.min == numbers.max
@@ -182,7 +182,7 @@ Sentence Reader::expected() const {
                    : Sentence("an array of {0} to {1} numbers", numbers.min, numbers.max);
     }
     case Frame::Kind::Indices:
-        return "a whole number";
+        return N_("a whole number");
     }
     return {};
 }
@@ -386,16 +386,8 @@ bool Reader::parse_error(std::size_t position, const std::string& token,
     if (problem.id == numberOverflow)
         return refuse(shortened(token));
 
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read: '…'"
-    std::string_view text = problem.what();
-    constexpr std::string_view before = "parse error at ";
-    if (const std::size_t at = text.find(before); at != std::string_view::npos)
-        text.remove_prefix(at + before.size());
-    const std::size_t colon = text.find(": ");
-    const std::string said = readableProblem(colon == std::string_view::npos ? text : text.substr(colon + 2),
-                                             wordAt(text_, position));
-    error_ = Error{ErrorCode::Malformed, said,
-                   std::string(colon == std::string_view::npos ? std::string_view() : text.substr(0, colon))};
+    error_ =
+        Error{ErrorCode::Malformed, jsonProblem(text_, problem.id, position), lineAndColumn(text_, position)};
     return false;
 }
 

@@ -3,8 +3,6 @@
 #include "texplorer/scene/params/params.h"
 #include "texplorer/scene/params/timeline_check.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 namespace texplorer {

@@ -146,7 +146,7 @@ private:
             return {};
         if (row.member != memberId<&Model::texCoords>)
             return refuse(isList(row.kind) ? "it is set as a whole: expected no index"
-                                           : "it is a single value: expected no index");
+                                           : N_("it is a single value: expected no index"));
         const Model& model = *static_cast<const Model*>(place_.owner);
         const std::size_t count = vertexCountOf(model);
         place_.vertex = parseIndex(*part.index);
@@ -243,7 +243,7 @@ Result<Value> valueOf(const Place& place, std::string_view text) {
 }
 
 Error timelineMoved() {
-    return {ErrorCode::OutOfRange, "a key can't move the timeline itself", {}};
+    return {ErrorCode::OutOfRange, N_("a key can't move the timeline itself"), {}};
 }
 
 void visitStruct(const StructTable& table, void* owner, const std::string& prefix,

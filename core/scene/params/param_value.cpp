@@ -71,9 +71,9 @@ Result<void> checkText(const ParamRow& row, const std::string& text) {
     if (text.size() > maxTextBytes)
         return refuse(row, Sentence("{0} bytes", text.size()));
     if (text.find('\0') != std::string::npos)
-        return refuse(row, "a zero byte in it");
+        return refuse(row, N_("a zero byte in it"));
     if (!isUtf8(text))
-        return refuse(row, "bytes that are not UTF-8");
+        return refuse(row, N_("bytes that are not UTF-8"));
     return {};
 }
 
@@ -315,7 +315,7 @@ Result<glm::vec4> parseTexCoord(std::string_view text) {
 Sentence describeAccepted(const ParamRow& row) {
     switch (row.kind) {
     case Kind::Bool:
-        return "true or false";
+        return N_("true or false");
     case Kind::Int:
         return Sentence("a whole number {0}", withUnit(row.range));
     case Kind::Float:
@@ -337,12 +337,12 @@ Sentence describeAccepted(const ParamRow& row) {
     case Kind::Matrix:
         return Sentence("16 numbers, each {0}", withUnit(row.range));
     case Kind::PointList:
-        return "3 finite numbers for each vertex";
+        return N_("3 finite numbers for each vertex");
     case Kind::ColorList:
         return Sentence("3 or 4 numbers (red, green, blue, alpha) for each vertex, each {0}",
                         withUnit(row.range));
     case Kind::TexCoordList:
-        return "2 to 4 finite numbers for each vertex";
+        return N_("2 to 4 finite numbers for each vertex");
     case Kind::IndexList:
         return Sentence("whole numbers, each {0}", withUnit(row.range));
     }
@@ -351,7 +351,7 @@ Sentence describeAccepted(const ParamRow& row) {
 
 Result<void> checkValue(const ParamRow& row, const Value& value) {
     if (value.index() != alternativeOf(row.kind))
-        return refuse(row, "a value of another kind");
+        return refuse(row, N_("a value of another kind"));
     switch (row.kind) {
     case Kind::Bool:
         return {};

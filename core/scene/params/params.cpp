@@ -10,16 +10,16 @@ ChildRow timelineRow();
 
 const StructTable& sceneTable() {
     static const std::array children{
-        build::single<&Scene::view>("view", "View", viewTable()),
-        build::single<&Scene::light>("light", "Light", lightTable()),
-        build::single<&Scene::material>("material", "Material", materialTable()),
-        build::many<&Scene::models>("models", "Model", modelTable(), 0, maxModels),
-        build::many<&Scene::textures>("textures", "Texture", textureTable(), 0, maxTextures),
-        build::many<&Scene::passes>("passes", "Pass", passTable(), 1, maxPasses),
+        build::single<&Scene::view>("view", N_("View"), viewTable()),
+        build::single<&Scene::light>("light", N_("Light"), lightTable()),
+        build::single<&Scene::material>("material", N_("Material"), materialTable()),
+        build::many<&Scene::models>("models", N_("Model"), modelTable(), 0, maxModels),
+        build::many<&Scene::textures>("textures", N_("Texture"), textureTable(), 0, maxTextures),
+        build::many<&Scene::passes>("passes", N_("Pass"), passTable(), 1, maxPasses),
         timelineRow(),
     };
     static_assert(children.size() == 7 && children.size() == build::memberCount<Scene>());
-    static const StructTable table{"Scene", {}, children};
+    static const StructTable table{N_("Scene"), {}, children};
     return table;
 }
 

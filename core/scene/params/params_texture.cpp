@@ -1,5 +1,5 @@
+#include "texplorer/base/translatable.h"
 #include "texplorer/scene/params/param_builder.h"
-#include "texplorer/text/word.h"
 
 namespace texplorer {
 namespace {
@@ -8,112 +8,122 @@ using build::color;
 using build::param;
 
 constexpr std::array textureRows{
-    param<&Texture::source>("source", "Image", "Source", "",
-                            "Whether the image is built in or read from a file."),
-    param<&Texture::pattern>("pattern", "Image", "Pattern", "", "The built-in image, if that is the source."),
-    param<&Texture::file>("file", "Image", "File", "",
-                          "The path of an image file, relative to the scene file, if a file is the source."),
-    param<&Texture::depthSize>("depthSize", "Image", "Shadow map size", "",
-                               "The number of texels on each side of the shadow map, if that is the "
-                               "source. Few texels make jagged shadows.",
+    param<&Texture::source>("source", N_("Image"), N_("Source"), "",
+                            N_("Whether the image is built in or read from a file.")),
+    param<&Texture::pattern>("pattern", N_("Image"), N_("Pattern"), "",
+                             N_("The built-in image, if that is the source.")),
+    param<&Texture::file>(
+        "file", N_("Image"), N_("File"), "",
+        N_("The path of an image file, relative to the scene file, if a file is the source.")),
+    param<&Texture::depthSize>("depthSize", N_("Image"), N_("Shadow map size"), "",
+                               N_("The number of texels on each side of the shadow map, if that is the "
+                                  "source. Few texels make jagged shadows."),
                                {1, 2048, 1, "texels"}),
     param<&Texture::flip>(
-        "flip", "Image", "Flip", "",
-        "How an image whose file begins with the top row is turned upright. OpenGL's first row is the "
-        "bottom one."),
-    param<&Texture::transparency>("transparency", "Image", "Transparency", "",
-                                  "Where the image's alpha comes from: its file, or its colours."),
-    color<&Texture::stencilColor>("stencilColor", "Image", "Stencil colour", "",
-                                  "The colour that the stencil makes invisible. Its alpha is ignored."),
+        "flip", N_("Image"), N_("Flip"), "",
+        N_("How an image whose file begins with the top row is turned upright. OpenGL's first row is the "
+           "bottom one.")),
+    param<&Texture::transparency>("transparency", N_("Image"), N_("Transparency"), "",
+                                  N_("Where the image's alpha comes from: its file, or its colours.")),
+    color<&Texture::stencilColor>("stencilColor", N_("Image"), N_("Stencil colour"), "",
+                                  N_("The colour that the stencil makes invisible. Its alpha is ignored.")),
     param<&Texture::internalFormat>(
-        "internalFormat", "Image", "Internal format",
+        "internalFormat", N_("Image"), N_("Internal format"),
         "glTexImage{n}D({image}, level, {}, {extents}, border, format, GL_UNSIGNED_BYTE, pixels)",
-        "The components of the image that the texture keeps. The environment treats each format "
-        "differently."),
+        N_("The components of the image that the texture keeps. The environment treats each format "
+           "differently.")),
     param<&Texture::border>(
-        "border", "Image", "Border",
+        "border", N_("Image"), N_("Border"),
         "glTexImage{n}D({image}, level, internalFormat, {extents}, {}, format, GL_UNSIGNED_BYTE, pixels)",
-        "1: a ring of texels replaces the border colour: the outer ring of an image with "
-        "sides of 2^k + 2 texels; otherwise, and for files with levels, its edge.",
+        N_("1: a ring of texels replaces the border colour: the outer ring of an image with "
+           "sides of 2^k + 2 texels; otherwise, and for files with levels, its edge."),
         {0, 1, 0.02F, {}}),
     param<&Texture::compression>(
-        "compression", "Compression", "Compression", "",
-        "Whether 4 × 4 texels share one small block, and what makes the blocks. A compressed texture has "
-        "its own internal format."),
+        "compression", N_("Compression"), N_("Compression"), "",
+        N_("Whether 4 × 4 texels share one small block, and what makes the blocks. A compressed texture has "
+           "its own internal format.")),
     param<&Texture::compressedFormat>(
-        "compressedFormat", "Compression", "Format",
+        "compressedFormat", N_("Compression"), N_("Format"),
         "glTexImage{n}D({image}, level, {}, {extents}, border, format, GL_UNSIGNED_BYTE, pixels)",
-        "The format that the driver or Texplorer compresses to. A compressed file keeps its own."),
+        N_("The format that the driver or Texplorer compresses to. A compressed file keeps its own.")),
     param<&Texture::compressionQuality>(
-        "compressionQuality", "Compression", "Quality", "",
-        "How much time Texplorer spends on each block when it compresses and caches."),
+        "compressionQuality", N_("Compression"), N_("Quality"), "",
+        N_("How much time Texplorer spends on each block when it compresses and caches.")),
     param<&Texture::magFilter>(
-        "magFilter", "Filter", "Magnification", "glTexParameteri({target}, GL_TEXTURE_MAG_FILTER, {})",
-        "How a colour is found where a texel covers more than one pixel, as seen from close by."),
+        "magFilter", N_("Filter"), N_("Magnification"),
+        "glTexParameteri({target}, GL_TEXTURE_MAG_FILTER, {})",
+        N_("How a colour is found where a texel covers more than one pixel, as seen from close by.")),
     param<&Texture::minFilter>(
-        "minFilter", "Filter", "Minification", "glTexParameteri({target}, GL_TEXTURE_MIN_FILTER, {})",
-        "How a colour is found where a pixel covers more than one texel, as seen from afar. The four with "
-        "MIPMAP in their name need mipmaps."),
-    param<&Texture::wrapS>("wrapS", "Wrap", "Wrap s", "glTexParameteri({target}, GL_TEXTURE_WRAP_S, {})",
-                           "What is shown left and right of the image, where s is outside 0 to 1."),
-    param<&Texture::wrapT>("wrapT", "Wrap", "Wrap t", "glTexParameteri({target}, GL_TEXTURE_WRAP_T, {})",
-                           "What is shown below and above the image, where t is outside 0 to 1."),
-    param<&Texture::wrapR>("wrapR", "Wrap", "Wrap r", "glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, {})",
-                           "What is shown in front of and behind a volume, where r is outside 0 to 1 (3D "
-                           "textures only)."),
+        "minFilter", N_("Filter"), N_("Minification"), "glTexParameteri({target}, GL_TEXTURE_MIN_FILTER, {})",
+        N_("How a colour is found where a pixel covers more than one texel, as seen from afar. The four with "
+           "MIPMAP in their name need mipmaps.")),
+    param<&Texture::wrapS>("wrapS", N_("Wrap"), N_("Wrap s"),
+                           "glTexParameteri({target}, GL_TEXTURE_WRAP_S, {})",
+                           N_("What is shown left and right of the image, where s is outside 0 to 1.")),
+    param<&Texture::wrapT>("wrapT", N_("Wrap"), N_("Wrap t"),
+                           "glTexParameteri({target}, GL_TEXTURE_WRAP_T, {})",
+                           N_("What is shown below and above the image, where t is outside 0 to 1.")),
+    param<&Texture::wrapR>("wrapR", N_("Wrap"), N_("Wrap r"),
+                           "glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, {})",
+                           N_("What is shown in front of and behind a volume, where r is outside 0 to 1 (3D "
+                              "textures only).")),
     color<&Texture::borderColor>(
-        "borderColor", "Wrap", "Border colour", "glTexParameterfv({target}, GL_TEXTURE_BORDER_COLOR, {})",
-        "The colour that GL_CLAMP_TO_BORDER shows outside the image, and half of the colour at GL_CLAMP's "
-        "edge."),
-    param<&Texture::mipmaps>("mipmaps", "Mipmaps", "Mipmaps", "",
-                             "Where the smaller copies of the image come from. Each is half as wide and "
-                             "half as high."),
-    param<&Texture::mipFilter>("mipFilter", "Mipmaps", "Mip filter", "",
-                               "How a level is averaged from the one before it. Sharper filters ring, "
-                               "softer ones blur."),
-    param<&Texture::mipGamma>("mipGamma", "Mipmaps", "Gamma-correct", "",
-                              "Whether colours are averaged as amounts of light, by the sRGB curve. Black "
-                              "and white then give 188, not 128."),
-    param<&Texture::npot>("npot", "Mipmaps", "Non-power-of-two", "",
-                          "What is done with a size that is not a power of two before levels are made."),
+        "borderColor", N_("Wrap"), N_("Border colour"),
+        "glTexParameterfv({target}, GL_TEXTURE_BORDER_COLOR, {})",
+        N_("The colour that GL_CLAMP_TO_BORDER shows outside the image, and half of the colour at GL_CLAMP's "
+           "edge.")),
+    param<&Texture::mipmaps>("mipmaps", N_("Mipmaps"), N_("Mipmaps"), "",
+                             N_("Where the smaller copies of the image come from. Each is half as wide and "
+                                "half as high.")),
+    param<&Texture::mipFilter>("mipFilter", N_("Mipmaps"), N_("Mip filter"), "",
+                               N_("How a level is averaged from the one before it. Sharper filters ring, "
+                                  "softer ones blur.")),
+    param<&Texture::mipGamma>("mipGamma", N_("Mipmaps"), N_("Gamma-correct"), "",
+                              N_("Whether colours are averaged as amounts of light, by the sRGB curve. Black "
+                                 "and white then give 188, not 128.")),
+    param<&Texture::npot>("npot", N_("Mipmaps"), N_("Non-power-of-two"), "",
+                          N_("What is done with a size that is not a power of two before levels are made.")),
     param<&Texture::baseLevel>(
-        "baseLevel", "Mipmaps", "Base level", "glTexParameteri({target}, GL_TEXTURE_BASE_LEVEL, {})",
-        "The largest mip level that is used; 0 is the image itself.", {0, 1000, 0.05F, {}}),
-    param<&Texture::maxLevel>("maxLevel", "Mipmaps", "Max level",
+        "baseLevel", N_("Mipmaps"), N_("Base level"), "glTexParameteri({target}, GL_TEXTURE_BASE_LEVEL, {})",
+        N_("The largest mip level that is used; 0 is the image itself."), {0, 1000, 0.05F, {}}),
+    param<&Texture::maxLevel>("maxLevel", N_("Mipmaps"), N_("Max level"),
                               "glTexParameteri({target}, GL_TEXTURE_MAX_LEVEL, {})",
-                              "The smallest mip level that is used. Levels beyond it need not exist.",
-                              {0, 1000, 0.05F, {}, "no limit"}),
-    param<&Texture::minLod>("minLod", "Mipmaps", "Min LOD",
+                              N_("The smallest mip level that is used. Levels beyond it need not exist."),
+                              {0, 1000, 0.05F, {}, N_("no limit")}),
+    param<&Texture::minLod>("minLod", N_("Mipmaps"), N_("Min LOD"),
                             "glTexParameterf({target}, GL_TEXTURE_MIN_LOD, {})",
-                            "The lower limit of the level of detail. 2 hides the two sharpest levels.",
-                            {-1000, 1000, 0.02F, word("levels"), "no limit"}),
+                            N_("The lower limit of the level of detail. 2 hides the two sharpest levels."),
+                            {-1000, 1000, 0.02F, N_("levels"), N_("no limit")}),
     param<&Texture::maxLod>(
-        "maxLod", "Mipmaps", "Max LOD", "glTexParameterf({target}, GL_TEXTURE_MAX_LOD, {})",
-        "The upper limit of the level of detail. 0 keeps far surfaces sharp, and aliased.",
-        {-1000, 1000, 0.02F, word("levels"), "no limit"}),
+        "maxLod", N_("Mipmaps"), N_("Max LOD"), "glTexParameterf({target}, GL_TEXTURE_MAX_LOD, {})",
+        N_("The upper limit of the level of detail. 0 keeps far surfaces sharp, and aliased."),
+        {-1000, 1000, 0.02F, N_("levels"), N_("no limit")}),
     param<&Texture::lodBias>(
-        "lodBias", "Mipmaps", "LOD bias", "glTexParameterf({target}, GL_TEXTURE_LOD_BIAS, {})",
-        "Added to the level of detail before the limits, together with the bias of the unit. Above 0 "
-        "blurs, below 0 sharpens and aliases.",
-        {-16, 16, 0.02F, word("levels")}),
+        "lodBias", N_("Mipmaps"), N_("LOD bias"), "glTexParameterf({target}, GL_TEXTURE_LOD_BIAS, {})",
+        N_("Added to the level of detail before the limits, together with the bias of the unit. Above 0 "
+           "blurs, below 0 sharpens and aliases."),
+        {-16, 16, 0.02F, N_("levels")}),
     param<&Texture::maxAnisotropy>(
-        "maxAnisotropy", "Anisotropy", "Max anisotropy",
+        "maxAnisotropy", N_("Anisotropy"), N_("Max anisotropy"),
         "glTexParameterf({target}, GL_TEXTURE_MAX_ANISOTROPY_EXT, {})",
-        "The largest ratio of length to width of the sampled patch. Above 1, surfaces that are seen at a "
-        "slant stay sharp (GL_EXT_texture_filter_anisotropic).",
+        N_("The largest ratio of length to width of the sampled patch. Above 1, surfaces that are seen at a "
+           "slant stay sharp (GL_EXT_texture_filter_anisotropic)."),
         {1, 16, 0.05F, {}}),
     param<&Texture::compareMode>(
-        "compareMode", "Depth", "Compare mode", "glTexParameteri({target}, GL_TEXTURE_COMPARE_MODE, {})",
-        "For a depth texture: whether a sample is the depth or the result of comparing r with it."),
-    param<&Texture::compareFunc>("compareFunc", "Depth", "Compare function",
-                                 "glTexParameteri({target}, GL_TEXTURE_COMPARE_FUNC, {})",
-                                 "For a depth texture: how r must compare with the stored depth to give 1."),
+        "compareMode", N_("Depth"), N_("Compare mode"),
+        "glTexParameteri({target}, GL_TEXTURE_COMPARE_MODE, {})",
+        N_("For a depth texture: whether a sample is the depth or the result of comparing r with it.")),
+    param<&Texture::compareFunc>(
+        "compareFunc", N_("Depth"), N_("Compare function"),
+        "glTexParameteri({target}, GL_TEXTURE_COMPARE_FUNC, {})",
+        N_("For a depth texture: how r must compare with the stored depth to give 1.")),
     param<&Texture::depthMode>(
-        "depthMode", "Depth", "Depth as", "glTexParameteri({target}, GL_DEPTH_TEXTURE_MODE, {})",
-        "For a depth texture: the components that receive the depth or the result of comparing."),
+        "depthMode", N_("Depth"), N_("Depth as"), "glTexParameteri({target}, GL_DEPTH_TEXTURE_MODE, {})",
+        N_("For a depth texture: the components that receive the depth or the result of comparing.")),
     param<&Texture::priority>(
-        "priority", "Residency", "Priority", "glTexParameterf({target}, GL_TEXTURE_PRIORITY, {})",
-        "How important it is to keep the texture in fast memory. It changes no pixel.", {0, 1, 0.005F, {}}),
+        "priority", N_("Residency"), N_("Priority"), "glTexParameterf({target}, GL_TEXTURE_PRIORITY, {})",
+        N_("How important it is to keep the texture in fast memory. It changes no pixel."),
+        {0, 1, 0.005F, {}}),
 };
 static_assert(textureRows.size() == 32);
 
@@ -123,36 +133,38 @@ constexpr ParamRow pictureSource(ParamRow row) {
 }
 
 constexpr std::array givenLevelRows{
-    pictureSource(param<&GivenLevel::source>("source", "Level", "Source", "",
-                                             "Whether this level's image is built in or read from a file.")),
-    param<&GivenLevel::pattern>("pattern", "Level", "Pattern", "",
-                                "The built-in image, scaled to the size of the level."),
+    pictureSource(
+        param<&GivenLevel::source>("source", N_("Level"), N_("Source"), "",
+                                   N_("Whether this level's image is built in or read from a file."))),
+    param<&GivenLevel::pattern>("pattern", N_("Level"), N_("Pattern"), "",
+                                N_("The built-in image, scaled to the size of the level.")),
     param<&GivenLevel::file>(
-        "file", "Level", "File", "",
-        "The path of an image file, relative to the scene file. It should have half the size of the level "
-        "before."),
+        "file", N_("Level"), N_("File"), "",
+        N_("The path of an image file, relative to the scene file. It should have half the size of the level "
+           "before.")),
 };
 static_assert(givenLevelRows.size() == 3 && givenLevelRows.size() == build::memberCount<GivenLevel>());
 
 constexpr std::array imageStepRows{
-    param<&ImageStep::op>("op", "Step", "Operation", "", "What this step does to the image."),
-    param<&ImageStep::factor>("factor", "Step", "Factor", "",
-                              "The factors of red, green, blue and alpha (GL_RED_SCALE and so on).",
+    param<&ImageStep::op>("op", N_("Step"), N_("Operation"), "", N_("What this step does to the image.")),
+    param<&ImageStep::factor>("factor", N_("Step"), N_("Factor"), "",
+                              N_("The factors of red, green, blue and alpha (GL_RED_SCALE and so on)."),
                               {-16, 16, 0.01F, {}}),
-    param<&ImageStep::bias>("bias", "Step", "Bias", "",
-                            "Added to red, green, blue and alpha after the factors (GL_RED_BIAS and so on).",
-                            {-16, 16, 0.01F, {}}),
-    param<&ImageStep::amount>("amount", "Step", "Amount", "",
-                              "How strongly the image is sharpened. 0 "
-                              "changes nothing.",
+    param<&ImageStep::bias>(
+        "bias", N_("Step"), N_("Bias"), "",
+        N_("Added to red, green, blue and alpha after the factors (GL_RED_BIAS and so on)."),
+        {-16, 16, 0.01F, {}}),
+    param<&ImageStep::amount>("amount", N_("Step"), N_("Amount"), "",
+                              N_("How strongly the image is sharpened. 0 "
+                                 "changes nothing."),
                               {0, 8, 0.01F, {}}),
     pictureSource(param<&ImageStep::source>(
-        "source", "Step", "Alpha's source", "",
-        "Whether the image whose luminance becomes alpha is built in or read from a file.")),
-    param<&ImageStep::pattern>("pattern", "Step", "Alpha's pattern", "",
-                               "The built-in image that becomes alpha."),
-    param<&ImageStep::file>("file", "Step", "Alpha's file", "",
-                            "The path of the image file that becomes alpha, relative to the scene file."),
+        "source", N_("Step"), N_("Alpha's source"), "",
+        N_("Whether the image whose luminance becomes alpha is built in or read from a file."))),
+    param<&ImageStep::pattern>("pattern", N_("Step"), N_("Alpha's pattern"), "",
+                               N_("The built-in image that becomes alpha.")),
+    param<&ImageStep::file>("file", N_("Step"), N_("Alpha's file"), "",
+                            N_("The path of the image file that becomes alpha, relative to the scene file.")),
 };
 static_assert(imageStepRows.size() == 7 && imageStepRows.size() == build::memberCount<ImageStep>());
 
@@ -160,23 +172,24 @@ static_assert(imageStepRows.size() == 7 && imageStepRows.size() == build::member
 
 const StructTable& textureTable() {
     static const std::array children{
-        build::many<&Texture::levels>("levels", "Level", givenLevelTable(), 0, maxGivenLevels),
-        build::many<&Texture::preparation>("preparation", "Image step", imageStepTable(), 0, maxImageSteps),
+        build::many<&Texture::levels>("levels", N_("Level"), givenLevelTable(), 0, maxGivenLevels),
+        build::many<&Texture::preparation>("preparation", N_("Image step"), imageStepTable(), 0,
+                                           maxImageSteps),
     };
     // The sampler state is one member of the texture, its base, and has a row for each of its own.
     static_assert(textureRows.size() + children.size() ==
                   build::memberCount<Texture>() - 1 + build::memberCount<SamplerState>());
-    static const StructTable table{"Texture", textureRows, children};
+    static const StructTable table{N_("Texture"), textureRows, children};
     return table;
 }
 
 const StructTable& givenLevelTable() {
-    static const StructTable table{"Level", givenLevelRows, {}};
+    static const StructTable table{N_("Level"), givenLevelRows, {}};
     return table;
 }
 
 const StructTable& imageStepTable() {
-    static const StructTable table{"ImageStep", imageStepRows, {}};
+    static const StructTable table{N_("ImageStep"), imageStepRows, {}};
     return table;
 }
 

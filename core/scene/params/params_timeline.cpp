@@ -6,17 +6,19 @@ namespace {
 using build::param;
 
 constexpr std::array keyFrameRows{
-    param<&KeyFrame::time>("time", "Key", "Time", "", "The time at which the parameter has this value.",
+    param<&KeyFrame::time>("time", N_("Key"), N_("Time"), "",
+                           N_("The time at which the parameter has this value."),
                            {0, maxKeyTime, 0.02F, "s"}),
-    param<&KeyFrame::path>("path", "Key", "Parameter", "", "The path of the parameter, as --set takes it."),
+    param<&KeyFrame::path>("path", N_("Key"), N_("Parameter"), "",
+                           N_("The path of the parameter, as --set takes it.")),
     param<&KeyFrame::value>(
-        "value", "Key", "Value", "",
-        "The value of the parameter at that time, as --set takes it. Numbers are interpolated between two "
-        "keys; names and switches keep their value until the next key. In a file, numbers and arrays of "
-        "numbers may be written without quotes."),
-    param<&KeyFrame::easing>("easing", "Key", "Easing", "",
-                             "How the value changes from this key to the "
-                             "next one."),
+        "value", N_("Key"), N_("Value"), "",
+        N_("The value of the parameter at that time, as --set takes it. Numbers are interpolated between two "
+           "keys; names and switches keep their value until the next key. In a file, numbers and arrays of "
+           "numbers may be written without quotes.")),
+    param<&KeyFrame::easing>("easing", N_("Key"), N_("Easing"), "",
+                             N_("How the value changes from this key to the "
+                                "next one.")),
 };
 static_assert(keyFrameRows.size() == 4 && keyFrameRows.size() == build::memberCount<KeyFrame>());
 static_assert(build::memberCount<Timeline>() == 1);
@@ -31,14 +33,14 @@ const std::vector<KeyFrame>& keysOf(const void* owner) {
 } // namespace
 
 const StructTable& keyFrameTable() {
-    static const StructTable table{"KeyFrame", keyFrameRows, {}};
+    static const StructTable table{N_("KeyFrame"), keyFrameRows, {}};
     return table;
 }
 
 ChildRow timelineRow() {
     return {memberId<&Scene::timeline>,
             "timeline",
-            "Timeline",
+            N_("Timeline"),
             &keyFrameTable(),
             true,
             0,

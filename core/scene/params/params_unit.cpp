@@ -1,5 +1,5 @@
+#include "texplorer/base/translatable.h"
 #include "texplorer/scene/params/param_builder.h"
-#include "texplorer/text/word.h"
 
 #include <array>
 
@@ -10,109 +10,111 @@ using build::color;
 using build::param;
 
 constexpr std::array unitRows{
-    param<&Unit::enabled>("enabled", "Unit", "Enabled", "glEnable(target)",
-                          "Whether this unit applies its texture to the result of the units before it."),
-    param<&Unit::target>("target", "Unit", "Target", "glEnable({})",
-                         "Whether the texture is a line, an image, a volume or the six faces of a cube."),
-    param<&Unit::texture>("texture", "Unit", "Texture", "glBindTexture(target, textures[{}])",
-                          "The texture of the scene that is bound, counted from 0.",
+    param<&Unit::enabled>("enabled", N_("Unit"), N_("Enabled"), "glEnable(target)",
+                          N_("Whether this unit applies its texture to the result of the units before it.")),
+    param<&Unit::target>("target", N_("Unit"), N_("Target"), "glEnable({})",
+                         N_("Whether the texture is a line, an image, a volume or the six faces of a cube.")),
+    param<&Unit::texture>("texture", N_("Unit"), N_("Texture"), "glBindTexture(target, textures[{}])",
+                          N_("The texture of the scene that is bound, counted from 0."),
                           {0, static_cast<float>(maxTextures - 1), 0.05F, {}}),
-    param<&Unit::envMode>("envMode", "Environment", "Environment mode",
+    param<&Unit::envMode>("envMode", N_("Environment"), N_("Environment mode"),
                           "glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, {})",
-                          "How the texture's colour and the fragment's colour are combined."),
+                          N_("How the texture's colour and the fragment's colour are combined.")),
     color<&Unit::envColor>(
-        "envColor", "Environment", "Environment colour",
+        "envColor", N_("Environment"), N_("Environment colour"),
         "glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, {})",
-        "The constant colour that GL_BLEND mixes in and that GL_COMBINE can use as GL_CONSTANT."),
-    param<&Unit::lodBias>("lodBias", "Level of detail", "LOD bias",
+        N_("The constant colour that GL_BLEND mixes in and that GL_COMBINE can use as GL_CONSTANT.")),
+    param<&Unit::lodBias>("lodBias", N_("Level of detail"), N_("LOD bias"),
                           "glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, {})",
-                          "Added to the level of detail. Above 0 blurs, below 0 sharpens and aliases.",
-                          {-16, 16, 0.02F, word("levels")}),
+                          N_("Added to the level of detail. Above 0 blurs, below 0 sharpens and aliases."),
+                          {-16, 16, 0.02F, N_("levels")}),
 };
 
 constexpr std::array matrixStepRows{
-    param<&MatrixStep::op>("op", "Step", "Operation", "", "What this step does to the texture coordinates."),
-    param<&MatrixStep::amount>("amount", "Step", "Amount", "",
-                               "The offset, the factors, or the axis of the rotation, at time 0.",
+    param<&MatrixStep::op>("op", N_("Step"), N_("Operation"), "",
+                           N_("What this step does to the texture coordinates.")),
+    param<&MatrixStep::amount>("amount", N_("Step"), N_("Amount"), "",
+                               N_("The offset, the factors, or the axis of the rotation, at time 0."),
                                {-1000, 1000, 0.01F, {}}),
     param<&MatrixStep::pivot>(
-        "pivot", "Step", "About", "",
-        "The fixed point of a rotation or a scale. (0.5, 0.5, 0) is the middle of an image.",
+        "pivot", N_("Step"), N_("About"), "",
+        N_("The fixed point of a rotation or a scale. (0.5, 0.5, 0) is the middle of an image."),
         {-1000, 1000, 0.01F, {}}),
-    param<&MatrixStep::matrix>("matrix", "Step", "Matrix", "",
-                               "16 numbers, column by column as OpenGL takes them. The last four are the "
-                               "offset.",
+    param<&MatrixStep::matrix>("matrix", N_("Step"), N_("Matrix"), "",
+                               N_("16 numbers, column by column as OpenGL takes them. The last four are the "
+                                  "offset."),
                                {-1e6F, 1e6F, 0.01F, {}}),
-    param<&MatrixStep::angle>("angle", "Step", "Angle", "glRotatef({}, x, y, z)",
-                              "The angle of a rotation at time 0. Translations and scales ignore it.",
+    param<&MatrixStep::angle>("angle", N_("Step"), N_("Angle"), "glRotatef({}, x, y, z)",
+                              N_("The angle of a rotation at time 0. Translations and scales ignore it."),
                               {-360, 360, 0.5F, "deg"}),
-    param<&MatrixStep::rate>("rate", "Animation", "Rate", "", "Added to the amount every second.",
+    param<&MatrixStep::rate>("rate", N_("Animation"), N_("Rate"), "", N_("Added to the amount every second."),
                              {-1000, 1000, 0.01F, "/s"}),
-    param<&MatrixStep::angleRate>("angleRate", "Animation", "Angle rate", "",
-                                  "Added to the angle every second.", {-3600, 3600, 0.5F, "deg/s"}),
+    param<&MatrixStep::angleRate>("angleRate", N_("Animation"), N_("Angle rate"), "",
+                                  N_("Added to the angle every second."), {-3600, 3600, 0.5F, "deg/s"}),
 };
 static_assert(matrixStepRows.size() == 7 && matrixStepRows.size() == build::memberCount<MatrixStep>());
 
 constexpr std::array combineRows{
-    param<&Combine::rgb>("rgb", "Colour", "Colour function", "glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, {})",
-                         "The function that combines the arguments, for red, green and blue."),
-    param<&Combine::source0Rgb>("source0Rgb", "Colour", "Colour source 0",
+    param<&Combine::rgb>("rgb", N_("Colour"), N_("Colour function"),
+                         "glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, {})",
+                         N_("The function that combines the arguments, for red, green and blue.")),
+    param<&Combine::source0Rgb>("source0Rgb", N_("Colour"), N_("Colour source 0"),
                                 "glTexEnvi(GL_TEXTURE_ENV, GL_SRC0_RGB, {})",
-                                "Where the first argument comes from."),
-    param<&Combine::operand0Rgb>("operand0Rgb", "Colour", "Colour operand 0",
+                                N_("Where the first argument comes from.")),
+    param<&Combine::operand0Rgb>("operand0Rgb", N_("Colour"), N_("Colour operand 0"),
                                  "glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_RGB, {})",
-                                 "Which components of source 0 are used, and whether they are inverted."),
-    param<&Combine::source1Rgb>("source1Rgb", "Colour", "Colour source 1",
+                                 N_("Which components of source 0 are used, and whether they are inverted.")),
+    param<&Combine::source1Rgb>("source1Rgb", N_("Colour"), N_("Colour source 1"),
                                 "glTexEnvi(GL_TEXTURE_ENV, GL_SRC1_RGB, {})",
-                                "Where the second argument comes from. GL_REPLACE ignores it."),
-    param<&Combine::operand1Rgb>("operand1Rgb", "Colour", "Colour operand 1",
+                                N_("Where the second argument comes from. GL_REPLACE ignores it.")),
+    param<&Combine::operand1Rgb>("operand1Rgb", N_("Colour"), N_("Colour operand 1"),
                                  "glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND1_RGB, {})",
-                                 "Which components of source 1 are used, and whether they are inverted."),
-    param<&Combine::source2Rgb>("source2Rgb", "Colour", "Colour source 2",
+                                 N_("Which components of source 1 are used, and whether they are inverted.")),
+    param<&Combine::source2Rgb>("source2Rgb", N_("Colour"), N_("Colour source 2"),
                                 "glTexEnvi(GL_TEXTURE_ENV, GL_SRC2_RGB, {})",
-                                "Where the third argument comes from. Only GL_INTERPOLATE uses it."),
-    param<&Combine::operand2Rgb>("operand2Rgb", "Colour", "Colour operand 2",
+                                N_("Where the third argument comes from. Only GL_INTERPOLATE uses it.")),
+    param<&Combine::operand2Rgb>("operand2Rgb", N_("Colour"), N_("Colour operand 2"),
                                  "glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND2_RGB, {})",
-                                 "Which components of source 2 are used, and whether they are inverted."),
-    param<&Combine::rgbScale>("rgbScale", "Colour", "Colour scale",
+                                 N_("Which components of source 2 are used, and whether they are inverted.")),
+    param<&Combine::rgbScale>("rgbScale", N_("Colour"), N_("Colour scale"),
                               "glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, {})",
-                              "The factor of the result before it is clamped to 1."),
-    param<&Combine::alpha>("alpha", "Alpha", "Alpha function",
-                           "glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, {})",
-                           "The function that combines the arguments, for alpha. GL_DOT3_RGBA overrides it."),
-    param<&Combine::source0Alpha>("source0Alpha", "Alpha", "Alpha source 0",
+                              N_("The factor of the result before it is clamped to 1.")),
+    param<&Combine::alpha>(
+        "alpha", N_("Alpha"), N_("Alpha function"), "glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, {})",
+        N_("The function that combines the arguments, for alpha. GL_DOT3_RGBA overrides it.")),
+    param<&Combine::source0Alpha>("source0Alpha", N_("Alpha"), N_("Alpha source 0"),
                                   "glTexEnvi(GL_TEXTURE_ENV, GL_SRC0_ALPHA, {})",
-                                  "Where the first argument comes from."),
-    param<&Combine::operand0Alpha>("operand0Alpha", "Alpha", "Alpha operand 0",
+                                  N_("Where the first argument comes from.")),
+    param<&Combine::operand0Alpha>("operand0Alpha", N_("Alpha"), N_("Alpha operand 0"),
                                    "glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_ALPHA, {})",
-                                   "Whether the alpha of source 0 is used as it is or inverted."),
-    param<&Combine::source1Alpha>("source1Alpha", "Alpha", "Alpha source 1",
+                                   N_("Whether the alpha of source 0 is used as it is or inverted.")),
+    param<&Combine::source1Alpha>("source1Alpha", N_("Alpha"), N_("Alpha source 1"),
                                   "glTexEnvi(GL_TEXTURE_ENV, GL_SRC1_ALPHA, {})",
-                                  "Where the second argument comes from. GL_REPLACE ignores it."),
-    param<&Combine::operand1Alpha>("operand1Alpha", "Alpha", "Alpha operand 1",
+                                  N_("Where the second argument comes from. GL_REPLACE ignores it.")),
+    param<&Combine::operand1Alpha>("operand1Alpha", N_("Alpha"), N_("Alpha operand 1"),
                                    "glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND1_ALPHA, {})",
-                                   "Whether the alpha of source 1 is used as it is or inverted."),
-    param<&Combine::source2Alpha>("source2Alpha", "Alpha", "Alpha source 2",
+                                   N_("Whether the alpha of source 1 is used as it is or inverted.")),
+    param<&Combine::source2Alpha>("source2Alpha", N_("Alpha"), N_("Alpha source 2"),
                                   "glTexEnvi(GL_TEXTURE_ENV, GL_SRC2_ALPHA, {})",
-                                  "Where the third argument comes from. Only GL_INTERPOLATE uses it."),
-    param<&Combine::operand2Alpha>("operand2Alpha", "Alpha", "Alpha operand 2",
+                                  N_("Where the third argument comes from. Only GL_INTERPOLATE uses it.")),
+    param<&Combine::operand2Alpha>("operand2Alpha", N_("Alpha"), N_("Alpha operand 2"),
                                    "glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND2_ALPHA, {})",
-                                   "Whether the alpha of source 2 is used as it is or inverted."),
-    param<&Combine::alphaScale>("alphaScale", "Alpha", "Alpha scale",
+                                   N_("Whether the alpha of source 2 is used as it is or inverted.")),
+    param<&Combine::alphaScale>("alphaScale", N_("Alpha"), N_("Alpha scale"),
                                 "glTexEnvf(GL_TEXTURE_ENV, GL_ALPHA_SCALE, {})",
-                                "The factor of the result before it is clamped to 1."),
+                                N_("The factor of the result before it is clamped to 1.")),
 };
 static_assert(combineRows.size() == 16 && combineRows.size() == build::memberCount<Combine>());
 
 constexpr std::array embossRows{
-    param<&Emboss::enabled>("enabled", "Emboss", "Follow the light", "",
-                            "Moves the coordinates of every vertex towards the light, by its distance to "
-                            "the side. An image minus its moved copy is a relief."),
-    param<&Emboss::depth>("depth", "Emboss", "Depth", "",
-                          "The maximum distance that coordinates move, in widths of the image.",
+    param<&Emboss::enabled>("enabled", N_("Emboss"), N_("Follow the light"), "",
+                            N_("Moves the coordinates of every vertex towards the light, by its distance to "
+                               "the side. An image minus its moved copy is a relief.")),
+    param<&Emboss::depth>("depth", N_("Emboss"), N_("Depth"), "",
+                          N_("The maximum distance that coordinates move, in widths of the image."),
                           {-1, 1, 0.0005F, {}}),
-    param<&Emboss::carrier>("carrier", "Emboss", "Light to model by", "",
-                            "How the light's position is transformed to the model's coordinates."),
+    param<&Emboss::carrier>("carrier", N_("Emboss"), N_("Light to model by"), "",
+                            N_("How the light's position is transformed to the model's coordinates.")),
 };
 static_assert(embossRows.size() == 3 && embossRows.size() == build::memberCount<Emboss>());
 
@@ -136,23 +138,23 @@ constexpr std::array<TexGenCalls, 4> texGenCalls{{
 }};
 
 constexpr auto texGenRows(const TexGenCalls& calls) {
-    ParamRow mode = param<&TexGen::mode>("mode", "Generation", "Generation mode", calls.mode,
-                                         "What the coordinate is computed from, instead of the vertex's "
-                                         "own.");
+    ParamRow mode = param<&TexGen::mode>("mode", N_("Generation"), N_("Generation mode"), calls.mode,
+                                         N_("What the coordinate is computed from, instead of the vertex's "
+                                            "own."));
     mode.choices = calls.modes;
     return std::array{
-        param<&TexGen::enabled>("enabled", "Generation", "Enabled", calls.enable,
-                                "Whether OpenGL generates this coordinate, before the texture matrix."),
+        param<&TexGen::enabled>("enabled", N_("Generation"), N_("Enabled"), calls.enable,
+                                N_("Whether OpenGL generates this coordinate, before the texture matrix.")),
         mode,
         param<&TexGen::objectPlane>(
-            "objectPlane", "Generation", "Object plane", calls.objectPlane,
-            "For GL_OBJECT_LINEAR: the coordinate is x*x0 + y*y0 + z*z0 + w*w0, of these four numbers and "
-            "the vertex in model coordinates.",
+            "objectPlane", N_("Generation"), N_("Object plane"), calls.objectPlane,
+            N_("For GL_OBJECT_LINEAR: the coordinate is x*x0 + y*y0 + z*z0 + w*w0, of these four numbers and "
+               "the vertex in model coordinates."),
             {-1000, 1000, 0.01F, {}}),
         param<&TexGen::eyePlane>(
-            "eyePlane", "Generation", "Eye plane", calls.eyePlane,
-            "For GL_EYE_LINEAR: the same with the vertex in eye coordinates. The eye is at the origin and "
-            "looks along -z.",
+            "eyePlane", N_("Generation"), N_("Eye plane"), calls.eyePlane,
+            N_("For GL_EYE_LINEAR: the same with the vertex in eye coordinates. The eye is at the origin and "
+               "looks along -z."),
             {-1000, 1000, 0.01F, {}}),
     };
 }
@@ -164,39 +166,40 @@ static_assert(texGenTableRows[0].size() == 4 && texGenTableRows[0].size() == bui
 } // namespace
 
 const StructTable& combineTable() {
-    static const StructTable table{"Combine", combineRows, {}};
+    static const StructTable table{N_("Combine"), combineRows, {}};
     return table;
 }
 
 const StructTable& embossTable() {
-    static const StructTable table{"Emboss", embossRows, {}};
+    static const StructTable table{N_("Emboss"), embossRows, {}};
     return table;
 }
 
 const StructTable& texGenTable(std::size_t coordinate) {
-    static const std::array tables{
-        StructTable{"TexGenS", texGenTableRows[0], {}}, StructTable{"TexGenT", texGenTableRows[1], {}},
-        StructTable{"TexGenR", texGenTableRows[2], {}}, StructTable{"TexGenQ", texGenTableRows[3], {}}};
+    static const std::array tables{StructTable{N_("TexGenS"), texGenTableRows[0], {}},
+                                   StructTable{N_("TexGenT"), texGenTableRows[1], {}},
+                                   StructTable{N_("TexGenR"), texGenTableRows[2], {}},
+                                   StructTable{N_("TexGenQ"), texGenTableRows[3], {}}};
     return tables[coordinate];
 }
 
 const StructTable& matrixStepTable() {
-    static const StructTable table{"MatrixStep", matrixStepRows, {}};
+    static const StructTable table{N_("MatrixStep"), matrixStepRows, {}};
     return table;
 }
 
 const StructTable& unitTable() {
     static const std::array children{
-        build::single<&Unit::combine>("combine", "Combine", combineTable()),
-        build::single<&Unit::texGenS>("texGenS", "Generated s", texGenTable(0)),
-        build::single<&Unit::texGenT>("texGenT", "Generated t", texGenTable(1)),
-        build::single<&Unit::texGenR>("texGenR", "Generated r", texGenTable(2)),
-        build::single<&Unit::texGenQ>("texGenQ", "Generated q", texGenTable(3)),
-        build::single<&Unit::emboss>("emboss", "Emboss", embossTable()),
-        build::many<&Unit::matrix>("matrix", "Matrix step", matrixStepTable(), 0, maxMatrixSteps),
+        build::single<&Unit::combine>("combine", N_("Combine"), combineTable()),
+        build::single<&Unit::texGenS>("texGenS", N_("Generated s"), texGenTable(0)),
+        build::single<&Unit::texGenT>("texGenT", N_("Generated t"), texGenTable(1)),
+        build::single<&Unit::texGenR>("texGenR", N_("Generated r"), texGenTable(2)),
+        build::single<&Unit::texGenQ>("texGenQ", N_("Generated q"), texGenTable(3)),
+        build::single<&Unit::emboss>("emboss", N_("Emboss"), embossTable()),
+        build::many<&Unit::matrix>("matrix", N_("Matrix step"), matrixStepTable(), 0, maxMatrixSteps),
     };
     static_assert(unitRows.size() == 6 && unitRows.size() + children.size() == build::memberCount<Unit>());
-    static const StructTable table{"Unit", unitRows, children};
+    static const StructTable table{N_("Unit"), unitRows, children};
     return table;
 }
 

@@ -116,18 +116,18 @@ public:
         Scene start = defaultScene(); // what a file leaves out keeps its value
         OrderedJson root = structOf(sceneTable(), &start);
         OrderedJson properties{
-            {schemaKey, {{"type", "string"}, {"description", "This schema, for the editor."}}},
+            {schemaKey, {{"type", "string"}, {"description", N_("This schema, for the editor.")}}},
             {versionKey,
              {{"type", "integer"},
               {"minimum", 1},
               {"maximum", sceneFormatVersion},
-              {"description", "The version of the format."},
+              {"description", N_("The version of the format.")},
               {"default", sceneFormatVersion}}}};
         properties.update(root["properties"]);
         return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                 {"$id", sceneSchemaId},
-                {"title", "Texplorer scene"},
-                {"description", "A scene of Texplorer. Missing keys have their initial values."},
+                {"title", N_("Texplorer scene")},
+                {"description", N_("A scene of Texplorer. Missing keys have their initial values.")},
                 {"type", "object"},
                 {"properties", std::move(properties)},
                 {"additionalProperties", false},

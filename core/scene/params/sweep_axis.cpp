@@ -191,12 +191,13 @@ Result<SweepAxis> axisOf(const Scene& scene, std::string_view path, std::string_
     };
     const ParamRow& row = *at->row;
     if (!canSweep(row))
-        return refuse({ErrorCode::Unsupported, "expected a choice, a number, a colour or true or false", {}});
+        return refuse(
+            {ErrorCode::Unsupported, N_("expected a choice, a number, a colour or true or false"), {}});
     const std::string_view wanted = trimmed(values);
     const bool all = wanted == "*";
     Result<std::vector<std::string>> given = all ? suggestedValues(row, at->value) : listed(row, wanted);
     if (given && given->empty())
-        return refuse({ErrorCode::OutOfRange, "expected values: there are no default values here", {}});
+        return refuse({ErrorCode::OutOfRange, N_("expected values: there are no default values here"), {}});
     if (all || wanted.find(rangeSign) != std::string_view::npos) // not written out one by one
         repeats = Repeats::LeftOut;
     Result<std::vector<std::string>> made =

@@ -5,8 +5,6 @@
 #include "texplorer/files/file_io.h"
 #include "texplorer/scene/params/json.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <fstream>

@@ -11,7 +11,7 @@
 namespace texplorer {
 
 /// The keyword of the complete scene in a PNG.
-inline constexpr const char* sceneKeyword = "Texplorer scene";
+inline constexpr const char* sceneKeyword = N_("Texplorer scene");
 
 /// The maximum size of a file that begins like this: larger for a PNG, which also has pixels.
 [[nodiscard]] std::size_t maxSceneFileBytes(ByteView start);

@@ -2,8 +2,6 @@
 
 #include "texplorer/scene/params/json.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
@@ -65,7 +63,7 @@ std::optional<std::string> fromBase64(std::string_view text) {
 }
 
 Error damaged() {
-    return {ErrorCode::Malformed, "the link is damaged or incomplete", {}};
+    return {ErrorCode::Malformed, N_("the link is damaged or incomplete"), {}};
 }
 
 Result<std::string> unpack(std::string_view packed) {

@@ -1,7 +1,5 @@
 #include "texplorer/scene/storage/unsaved_scene.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <charconv>
 #include <optional>
@@ -9,8 +7,8 @@
 namespace texplorer {
 namespace {
 
-constexpr std::string_view firstLine = "Texplorer, unsaved scene, version 2";
-constexpr std::string_view firstLineWithoutHash = "Texplorer, unsaved scene, version 1";
+constexpr std::string_view firstLine = N_("Texplorer, unsaved scene, version 2");
+constexpr std::string_view firstLineWithoutHash = N_("Texplorer, unsaved scene, version 1");
 
 std::string escaped(std::string_view path) {
     constexpr char digits[] = "0123456789ABCDEF";
@@ -80,10 +78,10 @@ Result<UnsavedScene> parseUnsaved(std::string_view text) {
     if (first != firstLine && first != firstLineWithoutHash)
         return fail(ErrorCode::Malformed,
                     Sentence("expected an unsaved scene, which begins with \"{0}\"", firstLine));
-    const Result<std::filesystem::path> file = takePath(text, "the scene file");
+    const Result<std::filesystem::path> file = takePath(text, N_("the scene file"));
     if (!file)
         return fail(file.error());
-    const Result<std::filesystem::path> folder = takePath(text, "the folder of its images");
+    const Result<std::filesystem::path> folder = takePath(text, N_("the folder of its images"));
     if (!folder)
         return fail(folder.error());
     std::string hash;

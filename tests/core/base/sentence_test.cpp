@@ -26,7 +26,7 @@ TEST(Sentence, FormatsEachArgumentAsItsPlaceholderSays) {
     const Sentence sentence("{1:.2f} of {0:04X}, {{{1:.2f}}}", 255, 0.75);
     EXPECT_EQ(sentence, "0.75 of 00FF, {0.75}");
     EXPECT_THAT(sentence.arguments(), ElementsAre("00FF", "0.75"));
-    EXPECT_TRUE(sentence.arguments()[1].isName()) << "a number is the same in all languages";
+    EXPECT_TRUE(sentence.arguments()[1].isNumber()) << "a number is the same in all languages";
 }
 
 TEST(Sentence, ContainsOtherSentencesAndNames) {

@@ -70,14 +70,14 @@ TEST(LessonJson, IsRefusedByPlace) {
     for (std::size_t i = 0; i < maxSteps; ++i)
         many += "," + step;
     const std::vector<Refused> rows{
-        {"", malformed, "line 1", "the file ends"},
-        {"{\n\"lesson\": 1,\n\"title\" 3}", malformed, "line 3", "expected ':' after the key"},
-        {"{\"lesson\": 1}\n x", malformed, "line 2", "expected the end of the file, found 'x'"},
-        {R"({"lesson": NaN})", malformed, "line 1", "expected a value, found 'NaN'"},
+        {"", malformed, "line 1, column 1", "the file ends"},
+        {"{\n\"lesson\": 1,\n\"title\" 3}", malformed, "line 3, column 9", "expected ':' after the key"},
+        {"{\"lesson\": 1}\n x", malformed, "line 2, column 2", "expected the end of the file, found 'x'"},
+        {R"({"lesson": NaN})", malformed, "line 1, column 12", "expected a value, found 'NaN'"},
         {"[1]", malformed, "", "expected an object"},
         {std::string("{}\0{}", 5), malformed, "line 1", "a NUL character"},
-        {"\xff", malformed, "line 1", ""},
-        {R"({"lesson": 1e400})", malformed, "line 1", "a smaller number"},
+        {"\xff", malformed, "line 1, column 1", ""},
+        {R"({"lesson": 1e400})", malformed, "line 1, column 16", "a smaller number"},
         {R"({"lesson": 1, "lesson": 1})", malformed, "/lesson", R"(each key once, found "lesson" twice)"},
         {lessonOf(step + R"(, {"title": "S", "look": {"probe": [1, 2], "tab": "", "tab": ""}})"), malformed,
          "/steps/1/look/tab", R"(each key once, found "tab" twice)"},

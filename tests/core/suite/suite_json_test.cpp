@@ -86,7 +86,7 @@ struct Wrong {
 
 TEST(SuiteJson, WhatIsWrongIsSaidWithItsPlace) {
     const std::array wrongs{
-        Wrong{"", "line 1", "the file ends; expected a value"},
+        Wrong{"", "line 1, column 1", "the file ends; expected a value"},
         Wrong{"[]", "", "expected an object, found a list"},
         Wrong{std::string("{\"suite\": 1, \"cases\": [{}]}\0, {", 31), "line 1",
               "expected JSON, found a NUL character"},
