@@ -25,6 +25,8 @@ foreach(program IN LISTS programs)
     if(name STREQUAL texshot)
         execute_process(COMMAND "${program}" schema OUTPUT_FILE "${OUT}/schema/scene.schema.json"
             COMMAND_ERROR_IS_FATAL ANY)
+        execute_process(COMMAND "${program}" schema --outputs OUTPUT_FILE "${OUT}/schema/output.schema.json"
+            COMMAND_ERROR_IS_FATAL ANY)
         execute_process(COMMAND "${program}" schema --suites OUTPUT_FILE "${OUT}/schema/suite.schema.json"
             COMMAND_ERROR_IS_FATAL ANY)
     endif()

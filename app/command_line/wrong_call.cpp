@@ -80,7 +80,7 @@ std::string didYouMeanOption(const CLI::App& app, std::string_view word) {
     return meant.empty() ? std::string() : fmt::format("; did you mean {}?", oneOf(meant, ""));
 }
 
-std::string sentenceFor(const CLI::App& program, const std::string& called, const CLI::ParseError& error) {
+Sentence sentenceFor(const CLI::App& program, const std::string& called, const CLI::ParseError& error) {
     const CLI::App& app = calledOf(program);
     const std::string said = error.what();
     const std::vector<std::string> extra = app.remaining(true);
@@ -89,30 +89,28 @@ std::string sentenceFor(const CLI::App& program, const std::string& called, cons
         extra, [](const std::string& word) { return word.size() > 1 && word.starts_with("-"); });
     if (unknown != extra.end() && *unknown != "--") {
         const std::string meant = didYouMeanOption(app, *unknown);
-        return fmt::format("there is no option {}{}", *unknown,
-                           meant.empty() ? fmt::format("; see {} --help", called) : meant);
+        return Sentence("there is no option {0}{1}", *unknown,
+                        meant.empty() ? fmt::format("; see {} --help", called) : meant);
     }
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !extra.empty())
-        return fmt::format("expected no further argument, found \"{}\"; see {} --help", extra.front(),
-                           called);
+        return Sentence("expected no further argument, found \"{0}\"; see {1} --help", extra.front(), called);
 
     // "--size: 1 required TEXT missing"
     if (const std::string_view option = aboutIn(said, ": 1 required ");
         !option.empty() && said.ends_with(" missing"))
-        return fmt::format("{}: expected a value, found none", option);
+        return Sentence("{0}: expected a value, found none", option);
     if (const std::string_view option = aboutIn(said, ": At Most 1 required but received "); !option.empty())
-        return fmt::format("{}: expected one value, found {}", option,
-                           quotedValues(app, std::string(option)));
+        return Sentence("{0}: expected one value, found {1}", option, quotedValues(app, std::string(option)));
     if (const std::string_view option = aboutIn(said, " was given a disallowed flag override");
         !option.empty())
-        return fmt::format("--{}: expected no value", option);
+        return Sentence("--{0}: expected no value", option);
     if (const std::string_view option = aboutIn(said, " excludes ");
         !option.empty() && error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExcludesError))
-        return fmt::format("{} and {} exclude each other", option,
-                           said.substr(option.size() + std::string_view(" excludes ").size()));
+        return Sentence("{0} and {1} exclude each other", option,
+                        said.substr(option.size() + std::string_view(" excludes ").size()));
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError)) {
         if (const std::string_view option = aboutIn(said, " is required"); !option.empty())
-            return fmt::format("{} is missing; see {} --help", option, called);
+            return Sentence("{0} is missing; see {1} --help", option, called);
     }
     return said;
 }

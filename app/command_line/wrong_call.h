@@ -1,5 +1,7 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
+
 #include <CLI/CLI.hpp>
 
 #include <span>
@@ -11,8 +13,8 @@ namespace texplorer {
 
 /// The error of a wrong call in one sentence, without the program's name. `program` is the whole program,
 /// `called` the command as the user writes it, "texshot shot".
-[[nodiscard]] std::string sentenceFor(const CLI::App& program, const std::string& called,
-                                      const CLI::ParseError& error);
+[[nodiscard]] Sentence sentenceFor(const CLI::App& program, const std::string& called,
+                                   const CLI::ParseError& error);
 
 /// `; did you mean "shot" or "show"?`: names that begin with the misspelt one, or similar ones; empty if
 /// there are none.

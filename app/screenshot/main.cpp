@@ -40,22 +40,24 @@ const std::vector<CommandGroup> groups{
     {"About", {addDrivers}},
 };
 
-/// Whether the answer is to be JSON on standard output, as far as one sees before the line is understood:
-/// also a call that is wrong gets an answer.
-bool asksForJson(const CommandLine& line, std::span<char*> words) {
-    const auto isNamed = [](const auto& command, std::string_view word) { return command->name() == word; };
+/// The command that a call names, as far as one sees before the line is understood; nullptr: none.
+const Command* namedCommand(const CommandLine& line, std::span<char*> words) {
     for (const std::string_view word : words) {
         const auto command =
-            std::ranges::find_if(line.commands(), [&](const auto& each) { return isNamed(each, word); });
-        if (command == line.commands().end())
-            continue;
-        const auto json = std::ranges::find((*command)->options(), std::string("--json"), &Option::name);
-        const auto given = std::ranges::find(words, std::string_view("--json"));
-        if (json == (*command)->options().end() || given == words.end())
-            return false;
-        return json->isFlag() || (given + 1 != words.end() && isStandardOutput(*(given + 1)));
+            std::ranges::find_if(line.commands(), [&](const auto& each) { return each->name() == word; });
+        if (command != line.commands().end())
+            return command->get();
     }
-    return false;
+    return nullptr;
+}
+
+/// Whether the answer is to be JSON on standard output: also a call that is wrong gets an answer.
+bool asksForJson(const Command& command, std::span<char*> words) {
+    const auto json = std::ranges::find(command.options(), std::string("--json"), &Option::name);
+    const auto given = std::ranges::find(words, std::string_view("--json"));
+    if (json == command.options().end() || given == words.end())
+        return false;
+    return json->isFlag() || (given + 1 != words.end() && isStandardOutput(*(given + 1)));
 }
 
 int perform(CommandLine& line, int argc, char** argv, std::chrono::steady_clock::time_point start) {
@@ -99,8 +101,9 @@ int main(int argc, char** argv) {
         "ended by Ctrl+C, 143 by SIGTERM, 129 by SIGHUP.\n"
         "Files are written completely or not at all, missing folders are created, and no output may "
         "overwrite an input or another output.\n"
-        "An option without effect gets a note. If a call with --json fails, the document has \"error\", "
-        "the first sentence on standard error.\n"
+        "An option without effect gets a note. --json prints one document: texshot (its version), schema, "
+        "command, results, and problems, the errors on standard error: id, message, arguments, where and code. An id "
+        "stays when the words of its message change.\n"
         "\"texshot help COMMAND\" explains each command.",
         sceneImageBytesText()));
     line.everywhere("--quiet", loudness().quiet,
@@ -117,17 +120,19 @@ int main(int argc, char** argv) {
     addHelpSections(line);
     line.addWords();
 
+    const std::span<char*> words(argv, static_cast<std::size_t>(argc));
+    const Command* command = namedCommand(line, words);
+    noteCommand(command ? command->name() : "");
     int status = failure;
     try {
         status = perform(line, argc, argv, start);
     } catch (const std::bad_alloc&) {
-        complain({ErrorCode::TooLarge, "not enough memory for this", {}});
+        complain({ErrorCode::TooLarge, N_("not enough memory for this"), {}});
     } catch (const std::exception& error) { // still one sentence and an exit status
         complain({ErrorCode::Unsupported, reasonOf(error), {}});
     }
     const std::string error = errorText();
-    if (status != success && !error.empty() && !hasPrinted() &&
-        asksForJson(line, {argv, static_cast<std::size_t>(argc)}))
+    if (status != success && !error.empty() && !hasPrinted() && command && asksForJson(*command, words))
         static_cast<void>(print(error));
     return status;
 }

@@ -218,9 +218,8 @@ public:
     [[nodiscard]] Problem put(CaseRecord record) {
         const auto place = places_.find(record.name);
         if (place == places_.end())
-            return Error{ErrorCode::Malformed,
-                         fmt::format("{} is not a case of this run", foundText(record.name)),
-                         {}};
+            return Error{
+                ErrorCode::Malformed, Sentence("{0} is not a case of this run", foundText(record.name)), {}};
         records_[place->second] = std::move(record);
         return {};
     }
@@ -356,7 +355,9 @@ Result<RunRecord> parseRun(std::string_view text) {
     const Result<Json> json = parseStrictJson(text, maxRecordBytes);
     if (!json)
         return fail(json.error());
-    return parseReport(*json);
+    // What "texshot test --json" prints has the record among its results.
+    const bool isAnswer = json->is_object() && json->contains("results") && json->at("results").size() == 1;
+    return parseReport(isAnswer ? json->at("results").front() : *json);
 }
 
 namespace {

@@ -2,8 +2,6 @@
 
 #include "texplorer/base/result.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <string_view>
 #include <type_traits>

@@ -187,7 +187,6 @@ Result<void> checkImagesApart(const std::vector<ImageJob>& jobs, const ImageFile
 struct ToldImages {
     std::string text;
     Json written = Json::array();
-    Json failed = Json::array();
 };
 
 Json levelsJson(const TextureReport& report) {
@@ -206,8 +205,10 @@ Json levelsJson(const TextureReport& report) {
 
 Json lossesJson(const std::vector<Loss>& losses) {
     Json list = Json::array();
-    for (const Loss& loss : losses)
-        list.push_back({{"what", loss.what}, {"sentence", loss.sentence}, {"ofPixels", loss.ofPixels}});
+    for (const Loss& loss : losses) {
+        list.push_back({{"what", loss.what}, {"ofPixels", loss.ofPixels}});
+        list.back().update(messageJson(loss.sentence));
+    }
     return list;
 }
 
@@ -267,7 +268,7 @@ Result<void> settleLosses(const ImageJob& job, const CodecRow& format, bool allo
             Sentence("as {0} it would lose something: {1}; --lossy writes it anyway", format.name, lost),
             inputName(job.in));
     if (!made.losses.empty())
-        warn({ErrorCode::Unsupported, fmt::format("lost in {}: {}", format.name, allLost(made.losses)),
+        warn({ErrorCode::Unsupported, Sentence("lost in {0}: {1}", format.name, allLost(made.losses)),
               inputName(job.in)});
     return {};
 }
@@ -298,8 +299,7 @@ Result<WrittenImage> makeImage(const ImageJob& job, const std::optional<ImageOut
 ExitCode printTold(const ImageFiles& files, const ToldImages& told) {
     if (!files.report && !files.json)
         return success;
-    const Result<void> printed =
-        print(files.json ? documentText({{"written", told.written}, {"failed", told.failed}}) : told.text);
+    const Result<void> printed = print(files.json ? documentText(told.written) : told.text);
     return printed ? success : complain(printed.error());
 }
 
@@ -337,8 +337,8 @@ const Option* addImageFiles(Command& command, ImageFiles& files, const ImageForm
     command.flag("--report", files.report, report);
     command.flag(
         "--json", files.json,
-        "The report as JSON, for programs: \"written\" (input, output, format, width, height, depth, layers, "
-        "faces, levels, bytes, losses) and \"failed\" (input, error).");
+        "The report as JSON, for programs: input, output, format, width, height, depth, layers, faces, levels, bytes "
+        "and losses of each image.");
     return &out;
 }
 
@@ -382,7 +382,6 @@ ExitCode makeImages(const ImageFiles& files, const ImageFormats& formats, const 
         if (!done) {
             allDone = false;
             static_cast<void>(complain(done.error()));
-            told.failed.push_back({{"input", inputName(job.in)}, {"error", describe(done.error())}});
             continue;
         }
         tellOf(told, job, done->image, *done->format, done->bytes, alone);

@@ -4,8 +4,6 @@
 #include "texplorer/scene/params/params.h"
 #include "texplorer/scene/params/value_mix.h"
 
-#include <fmt/core.h>
-
 #include <cmath>
 
 namespace texplorer::screenshot {

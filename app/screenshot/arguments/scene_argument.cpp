@@ -98,7 +98,7 @@ tl::expected<OpenedScene, SceneProblem> openStep(const SceneArgument& argument) 
     if (argument.step > lesson->steps.size())
         return problem(
             {ErrorCode::OutOfRange,
-             fmt::format("expected a step from 1 to {}, found {}", lesson->steps.size(), argument.step),
+             Sentence("expected a step from 1 to {0}, found {1}", lesson->steps.size(), argument.step),
              "--step"},
             wrongCall);
     const Result<lesson::LessonScene> start =
@@ -211,7 +211,7 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
     OpenedScene opened{defaultScene(), ImageSource{}};
     if (!argument.example.empty() && !argument.lesson.empty())
         return tl::unexpected(SceneProblem{
-            {ErrorCode::OutOfRange, "--example and --lesson exclude each other", {}}, wrongCall});
+            {ErrorCode::OutOfRange, N_("--example and --lesson exclude each other"), {}}, wrongCall});
     if (!argument.example.empty()) {
         Result<Scene> scene = exampleNamed(argument.example);
         if (!scene)

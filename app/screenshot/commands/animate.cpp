@@ -109,7 +109,7 @@ tl::expected<Motion, SceneProblem> motionOf(const AnimateOptions& options) {
         return wrong(request.error());
     if (request->time < 0 || request->time >= double{maxKeyTime})
         return wrong({ErrorCode::OutOfRange,
-                      fmt::format("expected a begin from 0 to {} s, found {}", maxKeyTime, request->time),
+                      Sentence("expected a begin from 0 to {0} s, found {1}", maxKeyTime, request->time),
                       "--time"});
     const Result<double> perSecond = parseNumber(options.perSecond, 0, maxPerSecond, "--fps");
     if (!perSecond)
@@ -126,8 +126,8 @@ tl::expected<Motion, SceneProblem> motionOf(const AnimateOptions& options) {
     motion.seconds = *seconds;
     if (motion.request.time + motion.seconds > double{maxKeyTime})
         return wrong({ErrorCode::TooLarge,
-                      fmt::format("expected an end within {} s, found {}", maxKeyTime,
-                                  motion.request.time + motion.seconds),
+                      Sentence("expected an end within {0} s, found {1}", maxKeyTime,
+                               motion.request.time + motion.seconds),
                       "--seconds"});
     if (const Result<void> counted = countPictures(motion); !counted)
         return wrong(counted.error());
@@ -253,25 +253,24 @@ std::vector<int> durationsFor(const Motion& motion, std::size_t pictures, animat
     const double hundredths = format.unitsPerSecond / even;
     if (format.format == animation::Format::Gif && hundredths != std::round(hundredths) &&
         shortest != longest)
-        warn({ErrorCode::Unsupported,
-              fmt::format(
-                  "a GIF counts in hundredths of a second: with {} pictures a second they are shown for "
-                  "{} to {} of them each, and the whole length is kept",
-                  even, shortest, longest),
-              {}});
+        warn(
+            {ErrorCode::Unsupported,
+             Sentence("a GIF counts in hundredths of a second: with {0} pictures a second they are shown for "
+                      "{1} to {2} of them each, and the whole length is kept",
+                      even, shortest, longest),
+             {}});
     return durations;
 }
 
 ExitCode animateIntoFile(const AnimateOptions& options, const std::string& out, Motion motion) {
     const animation::FormatRow* format = animation::formatOfName(out);
     if (format == nullptr)
-        return complain(
-            {ErrorCode::Unsupported,
-             fmt::format("expected a name that ends in .gif, .webp or .png, or one with a place for "
-                         "the number of each picture, as frame-%04d.tga; found \"{}\"",
-                         out),
-             "--out"},
-            wrongCall);
+        return complain({ErrorCode::Unsupported,
+                         Sentence("expected a name that ends in .gif, .webp or .png, or one with a place for "
+                                  "the number of each picture, as frame-%04d.tga; found \"{0}\"",
+                                  out),
+                         "--out"},
+                        wrongCall);
     if (const Result<void> fits = checkFormat(options, motion, *format); !fits)
         return complain(fits.error(), wrongCall);
     animation::Settings settings;
@@ -282,7 +281,7 @@ ExitCode animateIntoFile(const AnimateOptions& options, const std::string& out, 
         const Result<double> quality = parseNumber(options.quality, -1, 100, "--quality");
         if (!quality || *quality < 0)
             return complain({ErrorCode::OutOfRange,
-                             fmt::format("expected a number from 0 to 100, found \"{}\"", options.quality),
+                             Sentence("expected a number from 0 to 100, found \"{0}\"", options.quality),
                              "--quality"},
                             wrongCall);
         settings.quality = static_cast<float>(*quality);
@@ -336,7 +335,7 @@ ExitCode animate(const AnimateOptions& options) {
     if (!name)
         return complain(name.error(), wrongCall);
     if (!isAnimated(motion->opened.scene))
-        warn({ErrorCode::Unsupported, "nothing in the scene moves: all pictures are the same", {}});
+        warn({ErrorCode::Unsupported, N_("nothing in the scene moves: all pictures are the same"), {}});
     return name->digits > 0 ? animateIntoFiles(options, *motion, *name)
                             : animateIntoFile(options, name->at(0), *std::move(motion));
 }

@@ -60,7 +60,7 @@ std::vector<Finding> worthSaying(const std::vector<Finding>& findings, const Sce
 /// What was odd about a file and was survived.
 struct Note {
     std::string path; ///< the parameter that names it
-    std::string sentence;
+    Sentence sentence;
 };
 
 std::vector<Note> notesOf(const OpenedScene& opened) {
@@ -71,7 +71,7 @@ std::vector<Note> notesOf(const OpenedScene& opened) {
             continue;
         for (const std::vector<Sentence>& sentences : {image->notes, image->remarks})
             for (const Sentence& sentence : sentences)
-                notes.push_back({name.path, fmt::format("{}: {}", name.file, sentence)});
+                notes.push_back({name.path, Sentence(describedKey, ProperName{name.file}, sentence)});
     }
     return notes;
 }
@@ -96,22 +96,25 @@ std::string findingsText(const std::vector<Finding>& findings, const std::vector
 std::string asJson(const std::vector<Finding>& findings, const std::vector<Note>& notes) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Finding& each : findings) {
-        nlohmann::ordered_json entry{{"severity", rowOf(each.severity).name},
-                                     {"rule", each.rule},
-                                     {"path", each.path},
-                                     {"sentence", each.sentence}};
+        nlohmann::ordered_json entry{
+            {"severity", rowOf(each.severity).name}, {"rule", each.rule}, {"path", each.path}};
+        entry.update(messageJson(each.sentence));
+        entry["fixes"] = nlohmann::ordered_json::array();
         for (const Fix& fix : each.fixes) {
             nlohmann::ordered_json set = nlohmann::ordered_json::object();
             for (const edit::Set& one : fix.assignments)
                 set[one.path] = one.value;
-            entry["fixes"].push_back({{"label", fix.label}, {"set", std::move(set)}});
+            entry["fixes"].push_back(messageJson(fix.label));
+            entry["fixes"].back()["set"] = std::move(set);
         }
         list.push_back(std::move(entry));
     }
-    nlohmann::ordered_json noted = nlohmann::ordered_json::array();
-    for (const Note& each : notes)
-        noted.push_back({{"path", each.path}, {"sentence", each.sentence}});
-    return documentText({{"findings", std::move(list)}, {"notes", std::move(noted)}});
+    for (const Note& each : notes) {
+        list.push_back({{"severity", rowOf(Severity::Note).name}, {"rule", "image"}, {"path", each.path}});
+        list.back().update(messageJson(each.sentence));
+        list.back()["fixes"] = nlohmann::ordered_json::array();
+    }
+    return documentText(std::move(list));
 }
 
 ExitCode check(const Options& options) {
@@ -142,10 +145,8 @@ void addCheck(CommandLine& line) {
                                              "in a scene.");
     auto options = std::make_shared<Options>();
     addSceneOrLessonArgument(command, options->scene);
-    command.flag(
-        "--json", options->json,
-        "As JSON, for programs: \"findings\" (severity, rule, path, sentence, and of \"fixes\" label and "
-        "set) and \"notes\" (path, sentence).");
+    command.flag("--json", options->json,
+                 "As JSON, for programs: severity, rule, path, message and fixes of each finding.");
     command.footer(
         "A line for each finding on standard output, errors first, with its fixes below it; then a note "
         "for each recovered defect of an image file. Only the headers of images are read.\n"

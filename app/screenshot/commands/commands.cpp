@@ -2,7 +2,6 @@
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/reports/program_text.h"
 
-#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <sstream>
@@ -22,7 +21,7 @@ std::string callsJson(const std::string& text) {
     std::istringstream words(text);
     for (std::string line; std::getline(words, line);)
         lines.push_back(line);
-    return documentText({{"language", "C99"}, {"lines", std::move(lines)}});
+    return documentText(nlohmann::ordered_json::array({{{"language", "C99"}, {"lines", std::move(lines)}}}));
 }
 
 ExitCode commands(const CallsOptions& options) {
@@ -41,7 +40,7 @@ void addCommands(CommandLine& line) {
     auto options = std::make_shared<CallsOptions>();
     addSceneOrLessonArgument(command, options->scene);
     command.flag("--all", options->all, "All calls. Default: only those that change OpenGL's initial state.");
-    command.flag("--json", options->json, "As JSON, for programs: \"language\" and \"lines\".");
+    command.flag("--json", options->json, "As JSON, for programs: language and lines.");
     command.footer("The program of \"texshot emit\" on standard output, as in the window's Commands tab.\n"
                    "Exit status: 0 done, 1 the scene or an image can't be read, 2 invalid arguments.");
     command.onCall([options] { return commands(*options); });

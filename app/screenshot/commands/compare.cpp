@@ -123,7 +123,7 @@ std::string comparisonJson(const CompareOptions& options, const Comparison& comp
         document["pixelsPerDegree"] = criterion.pixelsPerDegree;
     if (comparison.sameSize())
         addNumbers(document, comparison);
-    return documentText(document);
+    return documentText(Json::array({std::move(document)}));
 }
 
 int report(const CompareOptions& options, const std::optional<ImageOutput>& output, Comparison comparison,

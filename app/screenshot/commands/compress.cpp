@@ -39,9 +39,9 @@ struct CompressOptions {
 
 /// The formats that can be written, by the names that DirectX gave them.
 constexpr std::array formats{
-    row(BlockFormat::Dxt1, "dxt1", "", ""), row(BlockFormat::Dxt1Alpha, "dxt1a", "", ""),
-    row(BlockFormat::Dxt3, "dxt3", "", ""), row(BlockFormat::Dxt5, "dxt5", "", ""),
-    row(BlockFormat::Bc4, "bc4", "", ""),   row(BlockFormat::Bc5, "bc5", "", ""),
+    row(BlockFormat::Dxt1, "dxt1", {}, {}), row(BlockFormat::Dxt1Alpha, "dxt1a", {}, {}),
+    row(BlockFormat::Dxt3, "dxt3", {}, {}), row(BlockFormat::Dxt5, "dxt5", {}, {}),
+    row(BlockFormat::Bc4, "bc4", {}, {}),   row(BlockFormat::Bc5, "bc5", {}, {}),
 };
 
 /// The names that others gave them: Direct3D 10, ATI and OpenGL's extensions.
@@ -124,8 +124,9 @@ bool keepsLevels(const TextureImage& texture, const CompressOptions& options, co
 
 /// What becomes of levels that are not kept.
 Loss levelsLost(int levels, const Choices& choices) {
-    return {"levels", fmt::format("{} of its {} mip levels{}", levels - 1, levels,
-                                  choices.mips ? " (generated from the base)" : "")};
+    return {"levels",
+            choices.mips ? Sentence("{0} of its {1} mip levels (generated from the base)", levels - 1, levels)
+                         : Sentence("{0} of its {1} mip levels", levels - 1, levels)};
 }
 
 /// The pictures to compress, bottom row first, the levels of a face together: of one picture, or of the six

@@ -5,6 +5,7 @@
 #include "app/screenshot/gl/gl_module.h"
 #include "app/screenshot/gl/mesa_settings.h"
 #include "app/screenshot/output/interrupts.h"
+#include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/output/messages.h"
 #include "texplorer/conform/made_files.h"
@@ -24,6 +25,8 @@
 
 namespace texplorer::screenshot {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct ConformOptions {
     std::string renderer;
@@ -204,7 +207,9 @@ ExitCode conformTo(const ConformOptions& options) {
         for (const Option* option : options.notListing)
             if (option->isGiven())
                 noteUnused(option->name(), "--list compares nothing");
-        const std::string text = options.json ? conform::listingJson() : conform::listing();
+        const std::string text = options.json
+                                     ? documentText(Json::array({Json::parse(conform::listingJson())}))
+                                     : conform::listing();
         const Result<void> written = print(text);
         return written ? success : complain(written.error());
     }
@@ -261,7 +266,8 @@ ExitCode conformTo(const ConformOptions& options) {
         if (const Result<void> written = writeFolder(options.folder, *report); !written)
             return complain(written.error());
     }
-    const std::string text = options.json ? conform::asJson(*report) : conform::asText(*report);
+    const std::string text = options.json ? documentText(Json::array({Json::parse(conform::asJson(*report))}))
+                                          : conform::asText(*report);
     if (const Result<void> written = print(text); !written)
         return complain(written.error());
     return report->agrees() ? success : failure;

@@ -53,8 +53,8 @@ Result<void> choose(const std::string& in, const ChosenPart& part, std::vector<L
     if (part.number() >= part.count)
         return outOfRange(in, part.name(), part.number(), part.count, part.owner);
     if (part.asked == notChosen && part.count > 1)
-        losses.push_back({part.names, fmt::format("{} of its {} {} (--{} chooses one)", part.count - 1,
-                                                  part.count, part.names, part.name())});
+        losses.push_back({part.names, Sentence("{0} of its {1} {2} (--{3} chooses one)", part.count - 1,
+                                               part.count, part.names, part.name())});
     return {};
 }
 

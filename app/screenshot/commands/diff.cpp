@@ -38,7 +38,7 @@ std::string changesJson(const std::vector<SceneChange>& changes) {
                         {"label", each.label},
                         {"from", each.from.english()},
                         {"to", each.to.english()}});
-    return documentText({{"same", changes.empty()}, {"changes", std::move(list)}});
+    return documentText(std::move(list));
 }
 
 int diff(const DiffOptions& options) {
@@ -66,7 +66,7 @@ void addDiff(CommandLine& line) {
     command.option("FROM", options->from, "A scene file (JSON); - for standard input.", {.required = true});
     command.option("TO", options->to, "The other scene file.", {.required = true});
     command.flag("--json", options->json,
-                 "As JSON, for programs: \"same\" and \"changes\" (path, label, from, to).");
+                 "As JSON, for programs: path, label, from and to of each difference.");
     command.footer(
         "A line for each parameter with different values. For lists of different lengths: the lengths, and "
         "the differences of their common elements.\n"

@@ -62,11 +62,11 @@ std::string driversJson(std::span<const DriverAnswer> answers, bool extensions) 
     for (const DriverAnswer& each : answers) {
         nlohmann::ordered_json context{{"context", each.context.text()}, {"usable", canDraw(each)}};
         if (!each.report) {
-            context["error"] = each.report.error().message;
+            context["error"] = messageJson(each.report.error().message);
         } else {
             const DriverReport& report = *each.report;
             if (!report.lack.empty())
-                context["error"] = report.lack;
+                context["error"] = messageJson(report.lack);
             context["renderer"] = report.renderer;
             context["vendor"] = report.vendor;
             context["version"] = report.version;
@@ -84,7 +84,7 @@ std::string driversJson(std::span<const DriverAnswer> answers, bool extensions) 
         }
         contexts.push_back(std::move(context));
     }
-    return documentText({{"contexts", std::move(contexts)}});
+    return documentText(std::move(contexts));
 }
 
 ExitCode listDrivers(const DriversOptions& options) {
@@ -94,7 +94,7 @@ ExitCode listDrivers(const DriversOptions& options) {
     const ExitCode status =
         std::ranges::any_of(*answers, canDraw)
             ? success
-            : complain({ErrorCode::Driver, "Texplorer can't draw in any of these contexts", {}});
+            : complain({ErrorCode::Driver, N_("Texplorer can't draw in any of these contexts"), {}});
     const std::string text =
         options.json ? driversJson(*answers, options.extensions) : driversText(*answers, options.extensions);
     if (const Result<void> printed = print(text); !printed)

@@ -9,8 +9,6 @@
 #include "app/screenshot/reports/program_text.h"
 #include "texplorer/files/file_io.h"
 
-#include <fmt/core.h>
-
 #include <array>
 #include <filesystem>
 #include <optional>

@@ -70,7 +70,9 @@ const std::vector<CommandExamples>& commandExamples() {
         {"lessons",
          {"texshot lessons", "texshot shot --lesson wrap --step 5 --answer 2 -o answer.png",
           "texshot lessons --page handout --lesson wrap"}},
-        {"schema", {"texshot schema -o scene.schema.json", "texshot schema --suites -o suite.schema.json"}},
+        {"schema",
+         {"texshot schema -o scene.schema.json", "texshot schema --suites -o suite.schema.json",
+          "texshot schema --outputs"}},
         {"info", {"texshot shot -o cube.png", "texshot info cube.png", "texshot info cube.png --json"}},
         {"validate",
          {"texshot shot -o cube.png; texshot scene -o scene.json", "texshot validate cube.png scene.json"}},
@@ -110,7 +112,7 @@ const std::vector<CommandTable>& commandTables() {
         {"compare",
          {"What --json prints",
           {},
-          {{"alike, sentence", "Whether they are alike, and the sentence about it."},
+          {{"alike, sentence", "Whether they are alike, and a sentence about it."},
            {"expected, actual, expectedSize, actualSize", "The files and their size in pixels."},
            measured,
            {"components, pixelsPerDegree", "rgba or rgb; for flip, the size of pixels."},
@@ -171,8 +173,8 @@ const std::vector<CommandTable>& commandTables() {
         {"sweep",
          {"What --json prints",
           {},
-          {{"sheets", "For each sheet, the following; for single pictures, as \"texshot shot\"."},
-           {"file, width, height", "Its file and size in pixels."},
+          {{"file, width, height",
+            "The file of a sheet and its size in pixels; of single pictures as \"texshot shot\"."},
            {"axes, time", "The axes, as --axis takes them, and the scene's time."},
            {"renderer, driver, version, context", "The renderer and driver, as in \"texshot shot\"."},
            {"cells",
@@ -181,9 +183,9 @@ const std::vector<CommandTable>& commandTables() {
         {"drivers",
          {"What --json prints",
           {},
-          {{"contexts", "For each context: usable and, if it can't draw, error; renderer, vendor, version, "
-                        "shadingLanguage, profile, maxTextureSize, maxAnisotropy, s3tc, textureBorders, "
-                        "extensionCount; with --extensions, extensions."}}}},
+          {{"context", "Its name, usable and, if it can't draw, error; renderer, vendor, version, "
+                       "shadingLanguage, profile, maxTextureSize, maxAnisotropy, s3tc, textureBorders, "
+                       "extensionCount; with --extensions, extensions."}}}},
         {"conform",
          {"What --json prints",
           {},

@@ -152,8 +152,8 @@ nlohmann::ordered_json factsAsJson(const TextureImage& texture, std::size_t file
             {"ratioToBase", cost.ratioToBase},
             {"shareOfRgba8", cost.shareOfRgba8},
             {"shareOfRgb8", cost.shareOfRgb8},
-            {"notes", texture.notes},
-            {"remarks", texture.remarks}};
+            {"notes", messagesJson(texture.notes)},
+            {"remarks", messagesJson(texture.remarks)}};
 }
 
 nlohmann::ordered_json anatomyAsJson(const Anatomy& anatomy, ByteView bytes) {
@@ -174,7 +174,7 @@ nlohmann::ordered_json anatomyAsJson(const Anatomy& anatomy, ByteView bytes) {
 /// What is found out about one file.
 struct Examined {
     std::string text;
-    nlohmann::ordered_json document;
+    nlohmann::ordered_json document; ///< null: it can't be read
     std::optional<Error> error;
 };
 
@@ -184,7 +184,7 @@ Examined examine(const std::string& in) {
     Examined examined{{}, {{"file", in}}, {}};
     const Result<Bytes> bytes = readImageInput(in);
     if (!bytes) {
-        examined.document["error"] = describe(bytes.error());
+        examined.document = nullptr;
         examined.error = bytes.error();
         return examined;
     }
@@ -197,7 +197,6 @@ Examined examine(const std::string& in) {
         examined.document.update(factsAsJson(*texture, bytes->size()));
     } else {
         examined.error = Error{texture.error().code, texture.error().message, name};
-        examined.document["error"] = describe(*examined.error);
     }
     if (!anatomy.fields.empty())
         examined.text += anatomyAsText(anatomy);
@@ -210,10 +209,11 @@ std::string textOf(const std::vector<Examined>& all, bool json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     std::string text;
     for (const Examined& each : all) {
-        list.push_back(each.document);
+        if (!each.document.is_null())
+            list.push_back(each.document);
         text += text.empty() || each.text.empty() ? each.text : "\n" + each.text;
     }
-    return json ? documentText({{"files", std::move(list)}}) : text;
+    return json ? documentText(std::move(list)) : text;
 }
 
 ExitCode examineAll(const std::vector<std::string>& files, bool json) {
@@ -246,12 +246,12 @@ void addInfo(CommandLine& line) {
                    {.required = true});
     command.flag(
         "--json", options->json,
-        "As JSON, for programs: \"files\", for each \"file\", \"format\", \"width\", \"height\", "
+        "As JSON, for programs, of each file: \"file\", \"format\", \"width\", \"height\", "
         "\"depth\", \"pixelFormat\", \"componentBits\" (of the file, if more than the 8 that are kept), "
         "\"srgb\", \"alpha\", \"fileTopFirst\", \"layers\", \"faces\", \"levels\", \"fullChain\", "
         "\"fileBytes\", \"pixelBytes\", \"ratioToBase\", \"shareOfRgba8\", \"shareOfRgb8\", \"notes\" "
-        "(recovered defects), \"remarks\" (valid data that is ignored) and \"anatomy\" (fields, damage), "
-        "or \"error\".");
+        "(recovered defects), \"remarks\" (valid data that is ignored) and \"anatomy\" (fields, "
+        "damage). If an image is damaged, it has no more than file and anatomy.");
     command.onCall([options] { return examineAll(options->files, options->json); });
 }
 

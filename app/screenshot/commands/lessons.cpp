@@ -7,6 +7,7 @@
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/reports/lesson_page.h"
 #include "app/ui/language/lesson_catalogue.h"
+#include "app/ui/language/po_file.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/lesson/lesson_check.h"
@@ -34,10 +35,12 @@ struct LessonsOptions {
     bool json = false;
     std::string checked;
     std::string page;
+    std::string translated; ///< the folder whose texts are written as a template
     std::string language = "en";
     std::vector<std::string> lessons; ///< of the page; none: all
     const Option* pageOption = nullptr;
     const Option* checkOption = nullptr;
+    const Option* templateOption = nullptr;
 };
 
 std::string taskOf(const lesson::Step& step) {
@@ -105,17 +108,7 @@ Result<std::string> lessonsJson() {
                         {"about", found->about},
                         {"steps", std::move(steps)}});
     }
-    return Json{{"lessons", std::move(list)}}.dump(2) + "\n";
-}
-
-/// What was found in a lesson; errors stay sentences on standard error.
-ExitCode printProblems(const std::string& file, const std::vector<Error>& problems, std::size_t steps) {
-    Json list = Json::array();
-    for (const Error& problem : problems)
-        list.push_back({{"where", problem.where}, {"sentence", problem.message}});
-    const Result<void> printed =
-        print(documentText({{"file", file}, {"steps", steps}, {"problems", std::move(list)}}));
-    return printed ? problems.empty() ? success : failure : complain(printed.error());
+    return documentText(std::move(list));
 }
 
 bool hasLetters(const std::string& text) {
@@ -139,13 +132,12 @@ std::vector<Error> checkCatalogues(const lesson::LessonFolder& folder, const les
         for (const std::string& text : texts) {
             if (hasLetters(text) && !keys.contains(text))
                 problems.push_back(
-                    {ErrorCode::NotFound, fmt::format("expected a translation of {}", inQuotes(text)), file});
+                    {ErrorCode::NotFound, Sentence("expected a translation of {0}", inQuotes(text)), file});
         }
         for (const std::string& key : keys) {
             if (!texts.contains(key))
                 problems.push_back({ErrorCode::NotFound,
-                                    fmt::format("the lesson no longer has the text {}", inQuotes(key)),
-                                    file});
+                                    Sentence("the lesson no longer has the text {0}", inQuotes(key)), file});
         }
     }
     return problems;
@@ -154,22 +146,30 @@ std::vector<Error> checkCatalogues(const lesson::LessonFolder& folder, const les
 ExitCode check(const std::string& path, bool json) {
     const lesson::LessonFolder folder = lesson::LessonFolder::onDisk(path);
     const Result<lesson::Lesson> found = readLesson(folder);
-    if (!found) {
-        const ExitCode status = complain(found.error());
-        return json ? printProblems(found.error().where, {found.error()}, 0) : status;
-    }
+    if (!found)
+        return complain(found.error());
     std::vector<Error> problems = checkLesson(folder, *found);
     std::ranges::move(checkCatalogues(folder, *found), std::back_inserter(problems));
     const std::string file = (folder.path() / lesson::lessonFileName).string();
     for (const Error& problem : problems)
         (void)complain({problem.code, describe(problem), file});
-    if (json)
-        return printProblems(file, problems, found->steps.size());
-    if (!problems.empty())
+    if (!problems.empty() && !json)
         return failure;
-    const Result<void> written =
-        print(fmt::format("{}: {}, nothing is wrong\n", printable(file),
-                          Sentence::plural("{0} step", "{0} steps", found->steps.size())));
+    const std::size_t steps = found->steps.size();
+    const Result<void> written = print(json ? documentText(Json::array({{{"file", file}, {"steps", steps}}}))
+                                            : fmt::format("{}: {}, nothing is wrong\n", printable(file),
+                                                          Sentence::plural("{0} step", "{0} steps", steps)));
+    if (written && !problems.empty())
+        return failure;
+    return written ? success : complain(written.error());
+}
+
+ExitCode writeTemplate(const std::string& path) {
+    const lesson::LessonFolder folder = lesson::LessonFolder::onDisk(path);
+    const Result<lesson::Lesson> found = readLesson(folder);
+    if (!found)
+        return complain(found.error());
+    const Result<void> written = print(ui::poTemplate(textsOf(*found), lesson::lessonFileName));
     return written ? success : complain(written.error());
 }
 
@@ -258,9 +258,14 @@ ExitCode writePage(const LessonsOptions& options) {
 }
 
 ExitCode lessons(const LessonsOptions& options) {
-    if (options.checkOption->isGiven() && options.pageOption->isGiven())
-        return complain({ErrorCode::OutOfRange, "expected either --check or --page", "--check, --page"},
+    const auto given = std::ranges::count_if(
+        std::array{options.checkOption, options.pageOption, options.templateOption}, &Option::isGiven);
+    if (given > 1)
+        return complain({ErrorCode::OutOfRange, N_("expected one of --check, --page and --template"),
+                         "--check, --page, --template"},
                         wrongCall);
+    if (options.templateOption->isGiven())
+        return writeTemplate(options.translated);
     if (!options.checked.empty())
         return check(options.checked, options.json);
     if (options.pageOption->isGiven())
@@ -275,10 +280,10 @@ void addLessons(CommandLine& line) {
     Command& command = line.command("lessons", "List the lessons and their steps, check one, or write them "
                                                "as a page.");
     auto options = std::make_shared<LessonsOptions>();
-    const Option& json =
-        command.flag("--json", options->json,
-                     "As JSON, for programs: \"lessons\" (name, title, source, about, steps); with "
-                     "--check \"file\", \"steps\" and \"problems\" (where, sentence).");
+    const Option& json = command.flag(
+        "--json", options->json,
+        "As JSON, for programs: name, title, source, about and steps of each lesson; with --check file and "
+        "steps, and what is wrong as problems.");
     const Option& check = command.option(
         "--check", options->checked,
         "Find errors in a lesson's folder: opens every scene, draws every answer, probes every mark in "
@@ -289,7 +294,13 @@ void addLessons(CommandLine& line) {
         "Write the lessons as a page for a browser or a printer into a folder: index.html with every step, "
         "question and answer, next to it the pictures, and in programs/ the programs of each step.",
         {.value = "DIR", .excludes = &json});
+    const Option& texts = command.option(
+        "--template", options->translated,
+        "Write the texts of a lesson's folder as a template for gettext's tools, of which msginit and msgmerge make "
+        "translations: zh_CN.po and ru.po next to lesson.json.",
+        {.value = "DIR", .excludes = &json});
     options->pageOption = &page;
+    options->templateOption = &texts;
     options->checkOption = &check;
     command.option(
         "--lesson", options->lessons,

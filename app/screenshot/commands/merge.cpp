@@ -11,8 +11,6 @@
 #include "texplorer/suite/record_json.h"
 #include "texplorer/suite/shard.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -204,7 +202,7 @@ void addMerge(CommandLine& line) {
         try {
             return merge(*options);
         } catch (const std::bad_alloc&) {
-            return complainOfMerge({ErrorCode::TooLarge, "not enough memory for this", {}});
+            return complainOfMerge({ErrorCode::TooLarge, N_("not enough memory for this"), {}});
         }
     });
 }

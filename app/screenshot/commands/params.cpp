@@ -3,10 +3,9 @@
 #include "texplorer/scene/params/params.h"
 
 #include "app/screenshot/commands/all_commands.h"
+#include "app/screenshot/output/json_text.h"
 #include "app/ui/model/param_match.h"
 #include "texplorer/scene/params/param_listing.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <fnmatch.h>
@@ -59,16 +58,29 @@ ParamFilter filterFor(const std::string& pattern) {
     };
 }
 
+/// The rows of a listing as JSON: parameters and the lists that they are in.
+std::string rowsJson(const std::string& listing) {
+    nlohmann::ordered_json listed = nlohmann::ordered_json::parse(listing);
+    nlohmann::ordered_json rows = std::move(listed["parameters"]);
+    for (nlohmann::ordered_json& each : listed["lists"]) {
+        each["kind"] = "list";
+        rows.push_back(std::move(each));
+    }
+    return documentText(std::move(rows));
+}
+
 ExitCode params(const ParamsOptions& options) {
     const ParamFilter filter = filterFor(options.pattern);
-    const std::string text = options.json ? listParamsJson(filter) : listParams(filter);
+    std::string text = options.json ? listParamsJson(filter) : listParams(filter);
     if (text.empty())
         return complain(
             {ErrorCode::NotFound,
-             fmt::format("no parameter matches \"{}\": the path, the label, OpenGL's name, the choices and "
-                         "the help are searched",
-                         options.pattern),
+             Sentence("no parameter matches \"{0}\": the path, the label, OpenGL's name, the choices and "
+                      "the help are searched",
+                      options.pattern),
              {}});
+    if (options.json)
+        text = rowsJson(text);
     const auto written = print(text);
     return written ? success : complain(written.error());
 }
@@ -86,8 +98,8 @@ void addParams(CommandLine& line) {
         "Case is ignored.");
     command.flag(
         "--json", options->json,
-        "As JSON, for programs: \"version\", \"parameters\" (path, kind, group, label, help, glCall, "
-        "default, range or choices) and \"lists\" (path, minCount, maxCount).");
+        "As JSON, for programs: path, kind, group, label, help, glCall, default, range or choices of each; then, with "
+        "the kind \"list\", path, minCount and maxCount of the lists that they are in.");
     command.footer("Exit status: 0 done, 1 there is no such parameter, 2 invalid arguments.");
     command.onCall([options] { return params(*options); });
 }

@@ -29,7 +29,7 @@ std::string presetsJson() {
                         {"label", preset.label},
                         {"help", preset.help},
                         {"look", preset.look}});
-    return documentText({{"presets", std::move(list)}});
+    return documentText(std::move(list));
 }
 
 } // namespace
@@ -38,7 +38,7 @@ void addPresets(CommandLine& line) {
     Command& command =
         line.command("presets", "List the presets of \"shot --preset\": what each sets, and the result.");
     auto json = std::make_shared<bool>(false);
-    command.flag("--json", *json, "As JSON, for programs: \"presets\" (name, group, label, help, look).");
+    command.flag("--json", *json, "As JSON, for programs: name, group, label, help and look of each preset.");
     command.onCall([json] {
         const Result<void> written = print(*json ? presetsJson() : presetsText());
         return written ? success : complain(written.error());

@@ -11,8 +11,6 @@
 #include "app/screenshot/reports/probe_report.h"
 #include "app/screenshot/shots/shot_drawer.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <span>
 
@@ -128,7 +126,7 @@ ExitCode findPixels(const ProbeOptions& options, const ShotRequest& request) {
 
 ExitCode probe(const ProbeOptions& options) {
     if (options.at.empty() == options.texel.empty())
-        return complain({ErrorCode::OutOfRange, "expected either --at or --texel", {}}, wrongCall);
+        return complain({ErrorCode::OutOfRange, N_("expected either --at or --texel"), {}}, wrongCall);
     if (options.passOption->isGiven() && options.texel.empty())
         noteUnused("--pass", "it needs --texel; --at explains every pass");
     if (options.withoutGl && options.at.empty())

@@ -58,7 +58,7 @@ void warnOfLostFiles(const Scene& scene, const ImageSource& images) {
     for (const std::string& file : filesOf(scene))
         if (images.fileInMemory(file))
             warn({ErrorCode::NotFound,
-                  "is an image of the lesson and not in a folder; the scene names it anyway", file});
+                  N_("is an image of the lesson and not in a folder; the scene names it anyway"), file});
 }
 
 /// What leads from one scene to another: what --set can do, and what it can't.
@@ -83,12 +83,12 @@ Result<Edits> editsBetween(const Scene& from, const Scene& to) {
 }
 
 std::string editsJson(const Edits& edits) {
-    nlohmann::ordered_json lengths = nlohmann::ordered_json::array();
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const std::string& set : edits.sets)
+        list.push_back({{"set", set}});
     for (const SceneChange& each : edits.lengths)
-        lengths.push_back({{"path", each.path}, {"from", each.from.english()}, {"to", each.to.english()}});
-    return documentText({{"same", edits.sets.empty() && edits.lengths.empty()},
-                         {"set", edits.sets},
-                         {"lengths", std::move(lengths)}});
+        list.push_back({{"path", each.path}, {"from", each.from.english()}, {"to", each.to.english()}});
+    return documentText(std::move(list));
 }
 
 std::string editsText(const Edits& edits) {
@@ -120,10 +120,9 @@ ExitCode writeTo(const SceneOptions& options, OpenedScene opened) {
     if (codecForExtension(options.out) != nullptr)
         return complain(
             {ErrorCode::Unsupported,
-             fmt::format(
-                 "a scene is JSON: expected a name that ends in .json, found \"{}\"; \"texshot shot\" "
-                 "draws a picture",
-                 options.out),
+             Sentence("a scene is JSON: expected a name that ends in .json, found \"{0}\"; \"texshot shot\" "
+                      "draws a picture",
+                      options.out),
              "--out"},
             wrongCall);
     SceneArgument read = options.scene;
@@ -193,7 +192,8 @@ void addScene(CommandLine& line) {
         {.value = "FROM", .excludes = &out});
     command.flag(
         "--json", options->json,
-        "With --diff, as JSON, for programs: \"same\", \"set\" (PATH=VALUE) and \"lengths\" (path, from, to).",
+        "With --diff, as JSON, for programs: set (PATH=VALUE) of each edit, or path, from and to of lists of different "
+        "lengths.",
         {.excludes = &isShort});
     command.usage({"[SCENE]", "SCENE --in-place", "--diff FROM [SCENE]"});
     command.footer(

@@ -129,8 +129,8 @@ ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotReque
 
 /// The scenes that can be read, with their axes; the others' sentences are said. The error is the exit status
 /// of a wrong call.
-tl::expected<std::vector<ShotList::Entry>, ExitCode>
-entriesOf(const ShotOptions& options, const ShotRequest& request, ShotReport* report) {
+tl::expected<std::vector<ShotList::Entry>, ExitCode> entriesOf(const ShotOptions& options,
+                                                               const ShotRequest& request) {
     std::vector<ShotList::Entry> entries;
     std::vector<std::string> files = options.files;
     if (files.empty())
@@ -142,8 +142,6 @@ entriesOf(const ShotOptions& options, const ShotRequest& request, ShotReport* re
             return tl::unexpected(complain(inScene(argument, opened.error().error), wrongCall));
         if (!opened) {
             complain(opened.error().error);
-            if (report != nullptr)
-                report->addUnread(file, opened.error().error);
             continue;
         }
         if (const Result<void> shown = checkShown(options, opened->scene); !shown)
@@ -170,16 +168,16 @@ ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, Pictur
     const bool toStream = isStandardOutput(options.out) && !options.axes.empty();
     if ((several || toStream) && pattern.places().empty())
         return complain({ErrorCode::OutOfRange,
-                         fmt::format("expected a name that differs for each picture, as in {} or "
-                                     "{{number}}.png, found \"{}\"",
-                                     nameForSeveral(options), options.out),
+                         Sentence("expected a name that differs for each picture, as in {0} or "
+                                  "{{number}}.png, found \"{1}\"",
+                                  nameForSeveral(options), options.out),
                          "--out"},
                         wrongCall);
     const Result<const CodecRow*> format = imageFormatOf(options.out, {});
     if (!format)
         return complain(format.error(), wrongCall);
     noteMetadata(options, **format);
-    auto entries = entriesOf(options, request, report);
+    auto entries = entriesOf(options, request);
     if (!entries)
         return entries.error();
     if (entries->empty()) {

@@ -185,9 +185,9 @@ tl::expected<std::vector<ImageOutput>, ExitCode> outputsOf(const SweepOptions& o
         if (std::ranges::find(names, name) != names.end())
             return tl::unexpected(
                 complain({ErrorCode::OutOfRange,
-                          fmt::format("expected a name for each page, found \"{}\" for two; {{page}} in it "
-                                      "makes them different",
-                                      name),
+                          Sentence("expected a name for each page, found \"{0}\" for two; {{page}} in it "
+                                   "makes them different",
+                                   name),
                           "--out"},
                          wrongCall));
         names.push_back(std::move(name));
@@ -223,9 +223,9 @@ ExitCode sweepIntoSheets(const SweepOptions& options, const Sweep& sweep,
     const ShotList list = shotsOf(options, sweep, true);
     if (list.count() > sheet::maxPictures)
         return complain({ErrorCode::TooLarge,
-                         fmt::format("expected at most {} pictures on the sheets of a call, found {}{}",
-                                     sheet::maxPictures, list.count() > maxShots ? "more than " : "",
-                                     std::min(list.count(), maxShots)),
+                         Sentence("expected at most {0} pictures on the sheets of a call, found {1}{2}",
+                                  sheet::maxPictures, list.count() > maxShots ? "more than " : "",
+                                  std::min(list.count(), maxShots)),
                          "--axis"},
                         wrongCall);
     const Result<std::unique_ptr<sheet::Lettering>> lettering = openLettering();
@@ -267,9 +267,9 @@ ExitCode sweepIntoSheets(const SweepOptions& options, const Sweep& sweep,
 
 ExitCode sweepIntoFiles(const SweepOptions& options, const Sweep& sweep, ShotReport* report) {
     if (!options.difference.empty())
-        return complain(
-            {ErrorCode::OutOfRange, "expected a name for sheets: it applies to sheets only", "--difference"},
-            wrongCall);
+        return complain({ErrorCode::OutOfRange, N_("expected a name for sheets: it applies to sheets only"),
+                         "--difference"},
+                        wrongCall);
     if (options.labelsOption->isGiven())
         noteUnused("--labels", "it applies to sheets only");
     const Result<const CodecRow*> format = imageFormatOf(options.out, {});

@@ -226,7 +226,8 @@ Result<void> writeResults(const FinishedRun& finished, const ResultFiles& files,
                           const suite::Durations& before) {
     const auto& [json, junit, durations] = files;
     if (json) {
-        const std::string text = suite::asJson(finished.run);
+        const std::string text = documentText(
+            nlohmann::ordered_json::array({nlohmann::ordered_json::parse(suite::asJson(finished.run))}));
         if (const Result<void> written = json->write(viewBytes(text)); !written)
             return written;
     }
@@ -309,7 +310,8 @@ ExitCode refuseOptions(const TestOptions& options) {
     if (std::ranges::any_of(options.suites, isStandardInput))
         return complainOfRun(
             {ErrorCode::OutOfRange,
-             "expected a file or a folder, which several processes can read; found standard input", "SUITE"});
+             N_("expected a file or a folder, which several processes can read; found standard input"),
+             "SUITE"});
     for (const Option* each : options.ofSuites) {
         if (options.pictures && each->isGiven())
             noteUnused(each->name(), "--pictures draws nothing");
@@ -324,8 +326,8 @@ ExitCode refuseOptions(const TestOptions& options) {
         return complainOfRun(context.error());
     if (!options.report.empty() && !options.resume.empty() && options.report != options.resume)
         return complainOfRun({ErrorCode::OutOfRange,
-                              fmt::format("expected the folder of --report, {}, or --resume alone, found {}",
-                                          inQuotes(options.report), inQuotes(options.resume)),
+                              Sentence("expected the folder of --report, {0}, or --resume alone, found {1}",
+                                       inQuotes(options.report), inQuotes(options.resume)),
                               "--resume"});
     return success;
 }
@@ -337,7 +339,7 @@ void writeError(const TestOptions& options) {
     if (error.empty() || options.json.empty() || isStandardOutput(options.json))
         return;
     const Result<std::string> there = readText(options.json, suite::maxRecordBytes);
-    const bool isOurs = there ? there->starts_with("{\n  \"error\":") || suite::parseRun(*there).has_value()
+    const bool isOurs = there ? there->starts_with("{\n  \"texshot\":") || suite::parseRun(*there).has_value()
                               : there.error().code == ErrorCode::NotFound;
     if (!isOurs)
         return;
@@ -511,7 +513,7 @@ void addTest(CommandLine& line) {
         try {
             status = test(*options, tellsErrors);
         } catch (const std::bad_alloc&) {
-            status = complainOfRun({ErrorCode::TooLarge, "not enough memory for this", {}});
+            status = complainOfRun({ErrorCode::TooLarge, N_("not enough memory for this"), {}});
         }
         if (tellsErrors)
             writeError(*options);

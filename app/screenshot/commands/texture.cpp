@@ -105,11 +105,12 @@ ExitCode writeTexture(const TextureOptions& options) {
         return complain(written.error());
     if (!options.json)
         return success;
-    const Result<void> printed = print(documentText({{"output", options.out},
-                                                     {"format", output->format->name},
-                                                     {"texture", options.texture},
-                                                     {"width", widthOf(made.surface(0, 0))},
-                                                     {"height", heightOf(made.surface(0, 0))}}));
+    const Result<void> printed =
+        print(documentText(nlohmann::ordered_json::array({{{"output", options.out},
+                                                           {"format", output->format->name},
+                                                           {"texture", options.texture},
+                                                           {"width", widthOf(made.surface(0, 0))},
+                                                           {"height", heightOf(made.surface(0, 0))}}})));
     return printed ? success : complain(printed.error());
 }
 
@@ -136,8 +137,7 @@ void addTexture(CommandLine& line) {
                    "base.",
                    {.excludes = &step});
     command.flag("--json", options->json,
-                 "Print the result as JSON, for programs: \"output\", \"format\", \"texture\", \"width\" and "
-                 "\"height\".");
+                 "Print the result as JSON, for programs: output, format, texture, width and height.");
     command.footer(
         "Without --step and --level it is the base level as uploaded. A shadow map is the one at time 0.\n"
         "Exit status: 0 done, 1 the scene or an image can't be read or the picture can't be written, 2 "

@@ -29,15 +29,15 @@ constexpr std::size_t maxFaults = 100; // of a scene
 struct Validity {
     std::string file;
     std::string kind; ///< "PNG", "scene", "suite", "run"; empty: it couldn't be told
-    std::vector<std::string> faults{};
-    std::vector<std::string> remarks{}; ///< what is right and Texplorer doesn't follow
-    bool drawn = true;                  ///< false: an image that isn't decoded
-    bool read = true;                   ///< false: standard error says why not
+    std::vector<Sentence> faults{};
+    std::vector<Sentence> remarks{}; ///< what is right and Texplorer doesn't follow
+    bool drawn = true;               ///< false: an image that isn't decoded
+    bool read = true;                ///< false: standard error says why not
 
     [[nodiscard]] bool isValid() const { return faults.empty(); }
 };
 
-void addOnce(std::vector<std::string>& faults, std::string fault) {
+void addOnce(std::vector<Sentence>& faults, Sentence fault) {
     if (std::ranges::find(faults, fault) == faults.end())
         faults.push_back(std::move(fault));
 }
@@ -68,7 +68,7 @@ Validity validateImage(const std::string& in, ByteView file) {
     const Result<TextureImage> texture = decodeTexture(file, limits);
     validity.drawn = texture.has_value();
     if (texture)
-        validity.remarks.assign(texture->remarks.begin(), texture->remarks.end());
+        validity.remarks = texture->remarks;
     else
         addRefusal(file, texture.error(), validity);
     const Anatomy anatomy = dissect(file);
@@ -146,9 +146,9 @@ PlainJson shallowDocument(std::string_view text) {
 
 /// Reading a scene ends with its first fault: it is read again without what was at fault, as long as that is
 /// a member, and the text is neither long nor deep.
-std::vector<std::string> sceneFaults(std::string_view text) {
+std::vector<Sentence> sceneFaults(std::string_view text) {
     constexpr std::size_t maxReadBytes = std::size_t{1} << 20;
-    std::vector<std::string> faults;
+    std::vector<Sentence> faults;
     PlainJson document;
     std::string left;
     for (Result<Scene> scene = parseScene(text); !scene; scene = parseScene(left)) {
@@ -166,7 +166,7 @@ Validity validateScene(const std::string& in, ByteView file) {
     Validity validity{in, "scene"};
     if (file.size() > maxSceneBytes) {
         validity.faults.push_back(
-            fmt::format("at most {} bytes of a scene are read, it has {}", maxSceneBytes, file.size()));
+            Sentence("at most {0} bytes of a scene are read, it has {1}", maxSceneBytes, file.size()));
         return validity;
     }
     validity.faults = sceneFaults(wholeText(file));
@@ -232,12 +232,16 @@ Validity validate(const std::string& in, ByteView file) {
         const auto has = [&keys](const char* key) { return std::ranges::find(keys, key) != keys.end(); };
         if (has("suite") || in.ends_with(suite::suiteExtension))
             return validateSuite(in, file);
-        return has("run") || in.ends_with(".jsonl") ? validateRun(in, file) : validateScene(in, file);
+        return has("run") || has("results") || in.ends_with(".jsonl") ? validateRun(in, file)
+                                                                      : validateScene(in, file);
     }
-    const std::string why = decodeTexture(file).error().message;
+    const Sentence why = decodeTexture(file).error().message;
     constexpr std::string_view image = "expected an image";
-    return {
-        in, {}, {why.starts_with(image) ? "expected a scene or an image" + why.substr(image.size()) : why}};
+    Validity validity{in, {}, {why}};
+    if (why.english().starts_with(image))
+        validity.faults = {Sentence("expected a scene or an image{0}", why.english().substr(image.size()))};
+    validity.drawn = false;
+    return validity;
 }
 
 Validity validateFile(const std::string& in) {
@@ -247,7 +251,7 @@ Validity validateFile(const std::string& in) {
         });
     if (!file) {
         static_cast<void>(complain(file.error()));
-        return {.file = in, .kind = {}, .faults = {file.error().message}, .read = false};
+        return {.file = in, .kind = {}, .faults = {file.error().message}, .drawn = false, .read = false};
     }
     return validate(in, *file);
 }
@@ -258,7 +262,7 @@ std::string validityText(const std::vector<Validity>& all) {
         if (!each.read)
             continue;
         std::string faults;
-        for (const std::string& fault : each.faults)
+        for (const Sentence& fault : each.faults)
             faults += (faults.empty() ? "" : "; ") + printable(fault);
         std::string remarks;
         for (const std::string& remark : each.remarks)
@@ -272,16 +276,16 @@ std::string validityText(const std::vector<Validity>& all) {
     return text;
 }
 
-std::string validityJson(const std::vector<Validity>& all, bool valid) {
+std::string validityJson(const std::vector<Validity>& all) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const Validity& each : all)
         files.push_back({{"file", each.file},
                          {"valid", each.isValid()},
                          {"kind", each.kind},
                          {"drawn", each.drawn},
-                         {"faults", each.faults},
-                         {"remarks", each.remarks}});
-    return documentText({{"valid", valid}, {"files", std::move(files)}});
+                         {"faults", messagesJson(each.faults)},
+                         {"remarks", messagesJson(each.remarks)}});
+    return documentText(std::move(files));
 }
 
 ExitCode validateAll(const std::vector<std::string>& files, bool json) {
@@ -291,7 +295,7 @@ ExitCode validateAll(const std::vector<std::string>& files, bool json) {
     for (const std::string& file : files)
         all.push_back(validateFile(file));
     const bool valid = std::ranges::all_of(all, &Validity::isValid);
-    const Result<void> printed = print(json ? validityJson(all, valid) : validityText(all));
+    const Result<void> printed = print(json ? validityJson(all) : validityText(all));
     if (!printed)
         return complain(printed.error());
     return valid ? success : failure;
@@ -311,9 +315,8 @@ void addValidate(CommandLine& line) {
                    "Images, scenes, suites and the run.json of reports, recognized by their content; - for "
                    "standard input.",
                    {.required = true});
-    command.flag(
-        "--json", options->json,
-        "As JSON, for programs: \"valid\" and \"files\" (file, valid, kind, drawn, faults, remarks).");
+    command.flag("--json", options->json,
+                 "As JSON, for programs: file, valid, kind, drawn, faults and remarks of each file.");
     command.footer(
         "A line for each file on standard output, or on standard error if it can't be read. For an image, "
         "defects that readers recover from are also faults; valid data that Texplorer ignores is mentioned. "

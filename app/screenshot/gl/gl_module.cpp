@@ -19,7 +19,6 @@
 #include "texplorer/texture/levels_source.h"
 
 #include <GL/glew.h>
-#include <fmt/core.h>
 
 #include <map>
 #include <mutex>

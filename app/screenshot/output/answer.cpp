@@ -16,7 +16,7 @@ bool printedSomething = false; // by the thread that does what the call asks for
 
 ExitCode complain(const Error& error, ExitCode code) {
     say(error);
-    noteError(describe(error));
+    noteError(error);
     return code;
 }
 

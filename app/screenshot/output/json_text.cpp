@@ -1,46 +1,120 @@
 #include "app/screenshot/output/json_text.h"
 
+#include "app/screenshot/output/message_ids.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <mutex>
-#include <optional>
+#include <utility>
 
 namespace texplorer::screenshot {
 namespace {
 
-using Document = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 
-struct FirstError {
+constexpr std::string_view schemaId = "file:///usr/share/texplorer/output.schema.json"; // as of scenes
+
+struct Document {
     std::mutex mutex;
-    std::optional<std::string> sentence; ///< guarded by it
+    std::string command; ///< guarded by it, as is
+    Json problems = Json::array();
 };
 
-FirstError& firstError() {
-    static FirstError ours;
-    return ours;
+Document& ours() {
+    static Document document;
+    return document;
 }
 
-std::optional<std::string> sentence() {
-    const std::scoped_lock lock(firstError().mutex);
-    return firstError().sentence;
+Json argumentJson(const Sentence& argument) {
+    if (argument.number())
+        return argument.english().starts_with('-') ? Json(static_cast<std::int64_t>(*argument.number()))
+                                                   : Json(*argument.number());
+    if (argument.isNumber()) {
+        Json number = Json::parse(argument.english(), nullptr, false);
+        return number.is_number() ? number : Json(argument.english()); // none of JSON, as infinity
+    }
+    return argument.key().empty() ? Json(argument.english()) : messageJson(argument);
+}
+
+void shortenFloats(Json& json) {
+    if (json.is_number_float()) {
+        const auto number = json.get<double>();
+        if (const auto single = static_cast<float>(number);
+            static_cast<double>(single) == number && number != 0 && std::isfinite(number))
+            json = Json::parse(fmt::format("{}", single)).get<double>();
+    } else if (json.is_structured()) {
+        for (Json& each : json)
+            shortenFloats(each);
+    }
 }
 
 } // namespace
 
-void noteError(const std::string& sentence) {
-    const std::scoped_lock lock(firstError().mutex);
-    if (!firstError().sentence)
-        firstError().sentence = sentence;
+void noteCommand(std::string_view command) {
+    const std::scoped_lock lock(ours().mutex);
+    ours().command = command;
 }
 
-std::string documentText(const Document& document) {
-    Document told = Document::object();
-    if (const std::optional<std::string> error = sentence())
-        told["error"] = *error;
-    told.update(document);
-    return told.dump(2, ' ', false, Document::error_handler_t::replace) + "\n";
+void noteError(const Error& error) {
+    Json problem = problemJson(error);
+    const std::scoped_lock lock(ours().mutex);
+    ours().problems.push_back(std::move(problem));
+}
+
+Json messageJson(const Sentence& message) {
+    const std::optional<int> id = idOf(message);
+    Json arguments = Json::array();
+    for (const Sentence& each : message.arguments())
+        arguments.push_back(argumentJson(each));
+    return {
+        {"id", id ? Json(*id) : Json()}, {"message", message.english()}, {"arguments", std::move(arguments)}};
+}
+
+Json messagesJson(std::span<const Sentence> messages) {
+    Json list = Json::array();
+    for (const Sentence& each : messages)
+        list.push_back(messageJson(each));
+    return list;
+}
+
+Json problemJson(const Error& problem) {
+    constexpr std::array<std::string_view, 9> codes{"NotFound",  "Unreadable",  "Unwritable",
+                                                    "Malformed", "Unsupported", "OutOfRange",
+                                                    "TooLarge",  "Driver",      "Cancelled"};
+    std::string where = problem.where;
+    const Sentence* message = &problem.message;
+    while (message->key() == describedKey.text &&
+           message->arguments().front().isName()) { // its place is told apart
+        where += (where.empty() ? "" : ": ") + message->arguments().front().english();
+        message = &message->arguments().back();
+    }
+    Json json = messageJson(*message);
+    json["where"] = std::move(where);
+    json["code"] = codes[static_cast<std::size_t>(problem.code)];
+    return json;
+}
+
+std::string documentText(Json results) {
+    shortenFloats(results);
+    const std::scoped_lock lock(ours().mutex);
+    const Json document{{"texshot", TEXPLORER_VERSION},
+                        {"schema", schemaId},
+                        {"command", ours().command},
+                        {"results", std::move(results)},
+                        {"problems", ours().problems}};
+    return document.dump(2, ' ', false, Json::error_handler_t::replace) +
+           "\n"; // NaN and infinity become null
 }
 
 std::string errorText() {
-    return sentence() ? documentText(Document::object()) : std::string();
+    const bool isError = [] {
+        const std::scoped_lock lock(ours().mutex);
+        return !ours().problems.empty();
+    }();
+    return isError ? documentText(Json::array()) : std::string();
 }
 
 } // namespace texplorer::screenshot

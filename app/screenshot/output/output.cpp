@@ -126,8 +126,8 @@ tl::expected<ImageOutput, ExitCode> openImageOutput(const std::string& path, std
         return tl::unexpected(complain(format.error(), wrongCall));
     if (isTerminal(path))
         return tl::unexpected(complain({ErrorCode::OutOfRange,
-                                        "is a terminal, which can't show a picture; name a file or "
-                                        "redirect it",
+                                        N_("is a terminal, which can't show a picture; name a file or "
+                                           "redirect it"),
                                         isStandardOutput(path) ? "standard output" : path},
                                        wrongCall));
     Result<Output> output = Output::open(path);

@@ -93,7 +93,8 @@ Result<std::vector<PageStep>> writeSteps(const LessonPageOptions& options,
     parallelFor(places.size(), processorThreads(), [&](std::size_t i) {
         if (hasFailed || options.stop.stop_requested())
             return;
-        constexpr FailureWords words{"not enough memory for the lessons", "the lessons can't be written"};
+        constexpr FailureWords words{N_("not enough memory for the lessons"),
+                                     N_("the lessons can't be written")};
         steps[i] =
             tried(words, [&] { return pageStep(lessons[places[i].lesson], places[i].step, options.stop); });
         if (!*steps[i])

@@ -112,12 +112,12 @@ void StepWriter::writeHidden(const std::string& summary, const std::string& html
 }
 
 Result<void> StepWriter::writeTask(const lesson::Try& task) {
-    writeTaskText("Try", task.task);
+    writeTaskText(N_("Try"), task.task);
     return {};
 }
 
 Result<void> StepWriter::writeTask(const lesson::Predict& predict) {
-    writeTaskText("Predict", predict.question);
+    writeTaskText(N_("Predict"), predict.question);
     std::string list;
     bool isPictured = false;
     for (std::size_t i = 0; i < predict.answers.size(); ++i) {
@@ -135,13 +135,14 @@ Result<void> StepWriter::writeTask(const lesson::Predict& predict) {
         list += fmt::format("<li>{}{}</li>\n", picture, textHtml(answer.text));
     }
     section() += fmt::format("<ol class=\"answers{}\">\n{}</ol>\n", isPictured ? " pictured" : "", list);
-    writeHidden("The right answer", fmt::format("{}. {}", static_cast<char>('A' + predict.right),
-                                                htmlOf(numbers_.answered.in(words().text(predict.reason)))));
+    writeHidden(N_("The right answer"),
+                fmt::format("{}. {}", static_cast<char>('A' + predict.right),
+                            htmlOf(numbers_.answered.in(words().text(predict.reason)))));
     return {};
 }
 
 Result<void> StepWriter::writeTask(const lesson::Match& match) {
-    writeTaskText("Match", match.task);
+    writeTaskText(N_("Match"), match.task);
     const Result<std::string> shown =
         image(place_ + "-reached", pictureWith(match.edits), words().word("The picture to reach"));
     if (!shown)
@@ -158,7 +159,7 @@ Result<void> StepWriter::writeTask(const lesson::Match& match) {
     for (const Edit& edit : match.edits)
         edits +=
             fmt::format("{}<code>{}</code>", std::exchange(isFirst, false) ? "" : ", ", htmlOf(textOf(edit)));
-    writeHidden("Solution", edits);
+    writeHidden(N_("Solution"), edits);
     return {};
 }
 

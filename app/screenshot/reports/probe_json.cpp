@@ -1,3 +1,4 @@
+#include "app/screenshot/output/json_text.h"
 #include "app/screenshot/reports/probe_report.h"
 #include "texplorer/reference/explain/explanation_steps.h"
 #include "texplorer/reference/explain/sampling_steps.h"
@@ -257,10 +258,6 @@ Json jsonOf(const FragmentExplanation& fragment) {
     return json;
 }
 
-std::string dumped(const Json& json) {
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; // NaN and infinity become null
-}
-
 } // namespace
 
 std::string asJson(const Explanation& explanation, const std::vector<ReadBack>& readBacks) {
@@ -278,7 +275,7 @@ std::string asJson(const Explanation& explanation, const std::vector<ReadBack>& 
         if (each.bytes)
             json[name] = listOf(*each.bytes);
         else
-            json[name] = {{"problem", describe(each.bytes.error())}};
+            json[name] = {{"error", problemJson(each.bytes.error())}};
     }
     json["color"] = listOf(explanation.color);
     json["background"] = listOf(explanation.background);
@@ -287,8 +284,8 @@ std::string asJson(const Explanation& explanation, const std::vector<ReadBack>& 
     Json& fragments = json["fragments"] = Json::array();
     for (const FragmentExplanation& fragment : explanation.fragments)
         fragments.push_back(jsonOf(fragment));
-    json["problems"] = explanation.problems;
-    return dumped(json);
+    json["notes"] = messagesJson(explanation.problems);
+    return documentText(Json::array({std::move(json)}));
 }
 
 Result<void> writeJson(const Contributions& found, const TexelQuestion& question,
@@ -297,10 +294,12 @@ Result<void> writeJson(const Contributions& found, const TexelQuestion& question
                     {"unit", question.unit},
                     {"level", question.texel.level},
                     {"texel", listOf(question.texel.index)},
-                    {"size", Json::array({found.width, found.height})}};
-    std::string text = dumped(head);
-    text.resize(text.size() - std::string_view("\n}\n").size());
-    text += ",\n  \"pixels\": ["; // x, y from the top left, weight
+                    {"size", Json::array({found.width, found.height})},
+                    {"pixels", Json::array()}}; // x, y from the top left, weight
+    std::string text = documentText(Json::array({head}));
+    const std::size_t place = text.find("\"pixels\": []") + std::string_view("\"pixels\": [").size();
+    const std::string end = text.substr(place);
+    text.resize(place);
     bool isFirst = true;
     for (int y = found.height - 1; y >= 0; --y) {
         const float* weights =
@@ -308,7 +307,7 @@ Result<void> writeJson(const Contributions& found, const TexelQuestion& question
         for (int x = 0; x < found.width; ++x) {
             if (!(weights[x] > 0))
                 continue;
-            text += isFirst ? "\n    [" : ",\n    [";
+            text += isFirst ? "\n        [" : ",\n        [";
             text += fmt::format("{}, {}, {}]", x, found.height - 1 - y, formatNumber(weights[x]));
             isFirst = false;
         }
@@ -318,7 +317,7 @@ Result<void> writeJson(const Contributions& found, const TexelQuestion& question
             return written;
         text.clear();
     }
-    return write(isFirst ? "]\n}\n" : "\n  ]\n}\n");
+    return write((isFirst ? "" : "\n      ") + end);
 }
 
 } // namespace texplorer::screenshot

@@ -55,7 +55,8 @@ Result<Bytes> readPicture(const fs::path& folder, const std::string& name) {
     struct stat info {};
     if (!directory.valid() || ::fstatat(directory.get(), name.c_str(), &info, AT_SYMLINK_NOFOLLOW) != 0)
         return fail(ErrorCode::NotFound, "there is no such picture", path);
-    const Error noPicture{ErrorCode::Malformed, "expected a PNG file, found something else: left out", path};
+    const Error noPicture{ErrorCode::Malformed, N_("expected a PNG file, found something else: left out"),
+                          path};
     if (!S_ISREG(info.st_mode))
         return fail(noPicture);
     const Descriptor file(
@@ -137,7 +138,7 @@ Result<void> copyPictures(const fs::path& from, const fs::path& to, suite::CaseR
             continue;
         const bool isOurs = name.starts_with(prefix) && isPictureName(name.substr(prefix.size()));
         const Result<Bytes> png =
-            isOurs ? readPicture(from, name.substr(prefix.size())) : fail(ErrorCode::NotFound, "");
+            isOurs ? readPicture(from, name.substr(prefix.size())) : fail(ErrorCode::NotFound, {});
         if (!png) {
             if (png.error().code != ErrorCode::NotFound)
                 problems.push_back(describe(png.error()));

@@ -7,8 +7,6 @@
 #include "texplorer/suite/stored_picture.h"
 #include "texplorer/suite/suite_folder.h"
 
-#include <fmt/core.h>
-
 #include <optional>
 
 namespace texplorer::screenshot {

@@ -9,8 +9,6 @@
 #include "texplorer/suite/record_json.h"
 #include "texplorer/suite/run_page.h"
 
-#include <fmt/core.h>
-
 #include <fcntl.h>
 #include <optional>
 #include <unistd.h>

@@ -8,8 +8,6 @@
 #include "texplorer/diagnosis/diagnosis.h"
 #include "texplorer/scene/params/scene_at.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <atomic>
 #include <map>

@@ -22,11 +22,13 @@ Json cellJson(const SheetCell& cell) {
                   {"width", cell.rect.width},
                   {"height", cell.rect.height},
                   {"values", std::move(values)}};
-    if (!cell.error.empty()) {
-        document["error"] = cell.error;
+    if (cell.error) {
+        document["error"] = problemJson(*cell.error);
         return document;
     }
-    document["warnings"] = cell.warnings;
+    document["warnings"] = Json::array();
+    for (const Error& each : cell.warnings)
+        document["warnings"].push_back(problemJson(each));
     if (cell.differing)
         document["differing"] = *cell.differing;
     return document;
@@ -51,7 +53,7 @@ std::string sheetsJson(const std::vector<WrittenSheet>& sheets) {
                        {"context", orNull(sheet.facts.context)},
                        {"cells", std::move(cells)}});
     }
-    return documentText({{"sheets", std::move(all)}});
+    return documentText(std::move(all));
 }
 
 } // namespace texplorer::screenshot

@@ -19,9 +19,9 @@ using AxisValues = std::vector<std::pair<std::string, std::string>>; ///< paths 
 struct SheetCell {
     PixelRect rect; ///< from the sheet's upper left
     AxisValues values;
-    std::vector<std::string> warnings{};
+    std::vector<Error> warnings{};
     std::optional<std::size_t> differing{}; ///< pixels, where it was compared with the first
-    std::string error{};                    ///< empty: it was drawn
+    std::optional<Error> error{};           ///< none: it was drawn
 };
 
 /// A sheet that was written.
@@ -32,7 +32,7 @@ struct WrittenSheet {
     std::vector<SheetCell> cells;
 };
 
-/// As a document for programs: "sheets", in their order.
+/// As a document for programs: the sheets in their order.
 [[nodiscard]] std::string sheetsJson(const std::vector<WrittenSheet>& sheets);
 
 } // namespace texplorer::screenshot

@@ -100,8 +100,8 @@ private:
         Page& page = begun(number, drawn);
         SheetCell& told = page.cells[cell];
         if (!drawn.shot) {
-            told.error = describe(drawn.shot.error());
-            page.picture->refuse(cell, printable(told.error));
+            told.error = drawn.shot.error();
+            page.picture->refuse(cell, printable(describe(*told.error)));
             if (drawn.index == 0)
                 settleFirst({});
         } else if (const Result<void> shown =
@@ -109,8 +109,7 @@ private:
                    !shown) {
             return shown;
         }
-        for (const Error& each : drawn.warnings)
-            told.warnings.push_back(describe(each));
+        told.warnings = drawn.warnings;
         {
             const std::scoped_lock lock(mutex_);
             if (++page.taken < cells_)
@@ -148,8 +147,9 @@ private:
         }
         const Image* first = waitForFirst();
         if (first == nullptr) {
-            told.error = "there is no first picture to compare it with";
-            page.picture->refuse(cell, told.error);
+            told.error =
+                Error{ErrorCode::Unsupported, N_("there is no first picture to compare it with"), {}};
+            page.picture->refuse(cell, told.error->message);
             return {};
         }
         const Result<sheet::PictureChanges> changes = sheet::changesAgainst(*first, picture);

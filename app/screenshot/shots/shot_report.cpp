@@ -32,21 +32,15 @@ void ShotReport::add(std::size_t index, const std::string& file, const ShotList:
     row.renderer = std::move(facts.renderer);
     row.driver = std::move(facts.driver);
     row.context = std::move(facts.context);
-    for (const Error& each : warnings)
-        row.warnings.push_back(describe(each));
+    row.warnings = warnings;
     put(index, std::move(row));
 }
 
 void ShotReport::add(std::size_t index, const std::string& file, const ShotList::Entry& entry,
                      const ShotList::Case& picture, const Error& error) {
     Row row = rowOf(file, entry, picture);
-    row.error = describe(error);
+    row.error = error;
     put(index, std::move(row));
-}
-
-void ShotReport::addUnread(const std::string& scene, const Error& error) {
-    const std::scoped_lock lock(mutex_);
-    unread_.emplace_back(scene, describe(error));
 }
 
 std::string ShotReport::json() const {
@@ -61,21 +55,20 @@ std::string ShotReport::json() const {
             {"file", row.file},          {"scene", row.scene.empty() ? Document() : Document(row.scene)},
             {"axes", std::move(axes)},   {"width", row.size.width},
             {"height", row.size.height}, {"time", row.time}};
-        if (row.error.empty()) {
+        if (!row.error) {
             picture["renderer"] = row.renderer;
             picture["driver"] = row.driver.name.empty() ? Document() : Document(row.driver.name);
             picture["version"] = row.driver.version.empty() ? Document() : Document(row.driver.version);
             picture["context"] = row.context.empty() ? Document() : Document(row.context);
-            picture["warnings"] = row.warnings;
+            picture["warnings"] = Document::array();
+            for (const Error& each : row.warnings)
+                picture["warnings"].push_back(problemJson(each));
         } else {
-            picture["error"] = row.error;
+            picture["error"] = problemJson(*row.error);
         }
         pictures.push_back(std::move(picture));
     }
-    Document unread = Document::array();
-    for (const auto& [scene, error] : unread_)
-        unread.push_back({{"scene", scene}, {"error", error}});
-    return documentText({{"pictures", std::move(pictures)}, {"unread", std::move(unread)}});
+    return documentText(std::move(pictures));
 }
 
 } // namespace texplorer::screenshot

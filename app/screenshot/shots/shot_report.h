@@ -6,6 +6,7 @@
 
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,14 +22,12 @@ public:
     /// One that couldn't be.
     void add(std::size_t index, const std::string& file, const ShotList::Entry& entry,
              const ShotList::Case& picture, const Error& error);
-    /// A scene that couldn't be read: it has no pictures.
-    void addUnread(const std::string& scene, const Error& error);
 
     /// All files that there will be are written.
     void finish() { finished_ = true; }
     [[nodiscard]] bool isFinished() const { return finished_; }
 
-    /// "pictures", in their order, and "unread".
+    /// The pictures in their order.
     [[nodiscard]] std::string json() const;
 
 private:
@@ -41,8 +40,8 @@ private:
         std::string renderer;
         conform::Driver driver;
         std::string context;
-        std::vector<std::string> warnings;
-        std::string error; ///< empty: it was drawn
+        std::vector<Error> warnings;
+        std::optional<Error> error; ///< none: it was drawn
     };
 
     static Row rowOf(const std::string& file, const ShotList::Entry& entry, const ShotList::Case& picture);
@@ -51,7 +50,6 @@ private:
     bool finished_ = false;
     mutable std::mutex mutex_; // guards what follows
     std::map<std::size_t, Row> rows_;
-    std::vector<std::pair<std::string, std::string>> unread_;
 };
 
 } // namespace texplorer::screenshot

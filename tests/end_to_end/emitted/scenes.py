@@ -20,8 +20,8 @@ class Case(NamedTuple):
 
 def every_case(texshot, folder):
     """Removes duplicates of scenes and writes the rest into the folder."""
-    presets = json.loads(said(texshot, "presets", "--json"))["presets"]
-    lessons = json.loads(said(texshot, "lessons", "--json"))["lessons"]
+    presets = json.loads(said(texshot, "presets", "--json"))["results"]
+    lessons = json.loads(said(texshot, "lessons", "--json"))["results"]
     words = {"start": ()}
     words |= {f"example-{file.stem}": ("--example", file.stem) for file in sorted((ASSETS / "scenes").glob("*.json"))}
     words |= {f"preset-{each['name']}": ("--preset", each["name"]) for each in presets}

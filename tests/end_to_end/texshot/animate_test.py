@@ -12,7 +12,7 @@ import unittest
 import numpy
 from PIL import Image, ImageSequence
 
-from texshot import TEXSHOT, Texshot, texshot
+from texshot import TEXSHOT, Texshot, results, texshot
 
 SMALL = ("--size", "64x48")
 TURN = ("--set", "view.azimuth=0..40")
@@ -84,7 +84,7 @@ class Animate(Texshot):
         self.succeeds("animate", *SMALL, "--example", "checker", "--set", "textures[0].wrapS=*", "--set", "view.azimuth=0..1", "--seconds", "3", "--fps", "5", "-o", self.out / "x-{number}.png")
         names = sorted(os.listdir(self.out))
         self.assertEqual((names[0], names[-1], len(names)), ("x-01.png", "x-15.png", 15))
-        listed = json.loads(self.succeeds("params", "--json", "textures[].wrapS"))["parameters"][0]["choices"]
+        listed = results(self.succeeds("params", "--json", "textures[].wrapS"))[0]["choices"]
         self.assertEqual(len(listed), 5)
         for i, name in enumerate(names):
             with Image.open(self.out / name) as picture:

@@ -1,6 +1,5 @@
 """decode, convert, flip, compress and info of many files at once."""
 
-import json
 import os
 import signal
 import subprocess
@@ -9,7 +8,7 @@ import unittest
 
 from PIL import Image
 
-from texshot import TEXSHOT, Texshot, bmp, texshot
+from texshot import TEXSHOT, Texshot, bmp, document, single, texshot
 
 
 class Batch(Texshot):
@@ -72,10 +71,12 @@ class Batch(Texshot):
         for sentence, name in zip(sentences, (broken, missing, self.path)):
             self.assertTrue(sentence.startswith(f"texshot: {name}: "), sentence)
         self.assertEqual(sorted(os.listdir(self.out)), ["picture0.png", "picture1.png"])
-        told = json.loads(result.stdout)
-        self.assertEqual([each["input"] for each in told["written"]], [str(self.files[0]), str(self.files[1])])
-        self.assertEqual([each["input"] for each in told["failed"]], [str(broken), str(missing), str(self.path)])
-        self.assertEqual(told["failed"][1]["error"], f"{missing}: can't be opened: No such file or directory")
+        told = document(result.stdout)
+        self.assertEqual([each["input"] for each in told["results"]], [str(self.files[0]), str(self.files[1])])
+        self.assertEqual([each["where"] for each in told["problems"]], [str(broken), str(missing), str(self.path)])
+        self.assertEqual(told["problems"][1]["message"], "can't be opened: No such file or directory")
+        self.assertEqual(told["problems"][1]["arguments"], ["No such file or directory"])
+        self.assertEqual([each["code"] for each in told["problems"]], ["Malformed", "NotFound", "Unreadable"])
 
     def test_where_all_fail_no_folder_is_made(self):
         self.complains(1, "No such file", "decode", self.path / "missing.bmp", "-o", self.out)
@@ -85,16 +86,16 @@ class Batch(Texshot):
         self.assertEqual(text.splitlines(),
                          [f"{file} -> {self.out / file.stem}.png: PNG, 8 × 4, 1 level, "
                           f"{(self.out / file.stem).with_suffix('.png').stat().st_size} bytes" for file in self.files])
-        told = json.loads(self.succeeds("compress", *self.files, "-o", self.out, "--format", "dxt1", "--json"))
-        self.assertEqual((len(told["written"]), told["failed"]), (3, []))
-        first = told["written"][0]
+        told = document(self.succeeds("compress", *self.files, "-o", self.out, "--format", "dxt1", "--json"))
+        self.assertEqual((len(told["results"]), told["problems"]), (3, []))
+        first = told["results"][0]
         self.assertEqual({key: first[key] for key in ("format", "width", "height", "depth", "faces", "levels", "bytes")},
                          {"format": "DDS", "width": 8, "height": 4, "depth": 1, "faces": 1, "levels": 4,
                           "bytes": (self.out / "picture0.dds").stat().st_size})
         # 8 x 4, 4 x 2, 2 x 1 and 1 x 1 texels in blocks of 4 x 4 with 8 bytes each
         self.assertEqual([level["bytes"] for level in first["report"]["levels"]], [16, 8, 8, 8])
-        alone = json.loads(self.succeeds("flip", self.files[0], self.path / "one.tga", "--json"))
-        self.assertEqual([each["output"] for each in alone["written"]], [str(self.path / "one.tga")])
+        alone = single(self.succeeds("flip", self.files[0], self.path / "one.tga", "--json"))
+        self.assertEqual(alone["output"], str(self.path / "one.tga"))
         self.complains(2, "--json: standard output can have the picture or the JSON, not both", "flip", self.files[0], "-", "--json")
         self.complains(2, "--report: standard output can have the picture or the JSON, not both", "compress", self.files[0], "-",
                        "--format", "dxt1", "--report")
@@ -122,9 +123,9 @@ class Batch(Texshot):
         broken.write_bytes(b"BM")
         result = texshot("info", "--json", self.files[0], broken, self.files[1])
         self.assertEqual((result.returncode, result.stderr.count(b"\n")), (1, 1))
-        told = json.loads(result.stdout)["files"]
-        self.assertEqual([each["file"] for each in told], [str(self.files[0]), str(broken), str(self.files[1])])
-        self.assertEqual([("error" in each) for each in told], [False, True, False])
+        told = document(result.stdout)
+        self.assertEqual([each["file"] for each in told["results"]], [str(self.files[0]), str(broken), str(self.files[1])])
+        self.assertEqual([each["where"] for each in told["problems"]], [str(broken)])
         self.assertEqual(self.facts(self.files[0])["width"], 8)  # of one, it alone
 
     def test_wrong_calls(self):

@@ -4,7 +4,7 @@ import json
 import re
 import unittest
 
-from texshot import Texshot, bmp, texshot
+from texshot import OUTPUT, Texshot, bmp, document, problem, results, single, texshot
 
 
 class Calls(Texshot):
@@ -115,12 +115,10 @@ class Calls(Texshot):
                 scene.write_text('{"version": 1}')
                 call = ["diff", scene, scene]
             with self.subTest(call):
-                document = json.loads(self.succeeds(*call, "--json").decode("utf-8"))
-                self.assertIsInstance(document, dict)
-                help = " ".join(self.succeeds(call[0], "--help").decode().split())
-                if call[0] != "probe":
-                    for key in document:
-                        self.assertIn(f'"{key}"', help, f"{call[0]} --help names its keys")
+                told = document(self.succeeds(*call, "--json"))
+                self.assertEqual((told["command"], told["problems"]), (call[0], []))
+                version = self.succeeds("--version").decode().split()[-1]
+                self.assertEqual((told["texshot"], told["schema"]), (version, OUTPUT.schema["$id"]))
 
     def test_with_json_every_error_is_json_of_one_shape(self):
         """A file that isn't there, of every command that has --json and reads one; and wrong calls of all."""
@@ -141,21 +139,20 @@ class Calls(Texshot):
                 with self.subTest(command=command, wrong=wrong):
                     result = texshot(command, *wrong, "--json")
                     self.assertIn(result.returncode, (1, 2))
-                    document = json.loads(result.stdout)
-                    self.assertEqual(list(document)[0], "error")
-                    self.assertIsInstance(document["error"], str)
-                    self.assertIn("no" if "--nonsense" in wrong else "nowhere", document["error"])
-                    self.assertEqual(result.stderr.decode().splitlines()[0], "texshot: " + document["error"])
+                    said = problem(result.stdout)
+                    self.assertIn("no" if "--nonsense" in wrong else "nowhere", said)
+                    self.assertEqual(result.stderr.decode().splitlines()[0], "texshot: " + said)
+                    self.assertIsInstance(document(result.stdout)["problems"][0]["id"], int)
         for command in sorted(others - {"help"}):
             result = texshot(command, "--json", "--nonsense")
-            self.assertIn("there is no option --nonsense", json.loads(result.stdout)["error"])
+            self.assertIn("there is no option --nonsense", problem(result.stdout))
 
     def test_a_test_run_that_fails_says_so_where_json_goes(self):
         for out in ("-", self.path / "out.json"):
             result = texshot("test", self.path / "nowhere.suite.json", "--json", out)
             self.assertEqual(result.returncode, 2)
             text = result.stdout if out == "-" else out.read_bytes()
-            self.assertIn("nowhere.suite.json", json.loads(text)["error"])
+            self.assertIn("nowhere.suite.json", problem(text))
         mine = self.path / "mine.json"
         mine.write_text("{}")
         texshot("test", self.path / "nowhere.suite.json", "--json", mine)
@@ -167,7 +164,7 @@ class Calls(Texshot):
         self.succeeds("shot", *small, "--preset", "alpha-test,seam", "--renderer", "reference", "-o", self.path / "b.png")
         self.succeeds("shot", *small, "--preset", "alpha-test", "--preset", "seam", "--renderer", "reference", "-o", self.path / "c.png")
         self.assertEqual((self.path / "b.png").read_bytes(), (self.path / "c.png").read_bytes())
-        told = json.loads(self.succeeds("conform", "--feature", "wrap,fog", "--scenes", "2", "--json"))
+        told = single(self.succeeds("conform", "--feature", "wrap,fog", "--scenes", "2", "--json"))
         self.assertEqual({each["feature"] for pair in told["pairs"] for each in pair["features"]}, {"wrap", "fog"})
         suite = self.path / "s.suite.json"
         suite.write_text('{"suite": 1, "cases": [{"scene": {"example": "cube"}}]}')
@@ -176,7 +173,7 @@ class Calls(Texshot):
 
     def test_params_finds_what_is_looked_for(self):
         def paths(*call):
-            return [each["path"] for each in json.loads(self.succeeds("params", *call, "--json"))["parameters"]]
+            return [each["path"] for each in results(self.succeeds("params", *call, "--json")) if each["kind"] != "list"]
         everything = paths()
         self.assertEqual(paths("textures[].wrap?"), ["textures[].wrapS", "textures[].wrapT", "textures[].wrapR"])
         self.assertEqual(paths("textures[3].wrapS"), ["textures[].wrapS"])
@@ -187,11 +184,11 @@ class Calls(Texshot):
         self.assertIn("textures[].minFilter", paths("mipmap linear"))
         self.assertEqual(paths("*"), everything)
         self.assertEqual([path for path in everything if path.startswith("view.")], paths("view.*"))
-        listed = json.loads(self.succeeds("params", "minFilter", "--json"))["parameters"][0]
+        listed = results(self.succeeds("params", "minFilter", "--json"))[0]
         self.assertEqual((listed["kind"], listed["default"]), ("enum", "GL_NEAREST_MIPMAP_LINEAR"))
         self.assertEqual(len(listed["choices"]), 6)
-        self.assertEqual([each["path"] for each in json.loads(self.succeeds("params", "minFilter", "--json"))["lists"]],
-                         ["textures[]"])
+        listed = results(self.succeeds("params", "minFilter", "--json"))
+        self.assertEqual([each["path"] for each in listed if each["kind"] == "list"], ["textures[]"])
         self.complains(1, 'no parameter matches "nosuchthing"', "params", "nosuchthing")
         self.complains(1, 'no parameter matches "nosuch*"', "params", "nosuch*", "--json")
 

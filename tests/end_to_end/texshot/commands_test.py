@@ -1,9 +1,8 @@
 """texshot commands: the program of a scene, as the window shows it."""
 
-import json
 import unittest
 
-from texshot import Texshot, texshot
+from texshot import Texshot, single, texshot
 
 
 class Commands(Texshot):
@@ -17,7 +16,7 @@ class Commands(Texshot):
     def test_it_is_the_program_of_emit(self):
         text = self.succeeds("commands", "--example", "cube").decode()
         self.assertEqual(self.succeeds("emit", "--example", "cube").decode(), text)
-        told = json.loads(self.succeeds("commands", "--example", "cube", "--json"))
+        told = single(self.succeeds("commands", "--example", "cube", "--json"))
         self.assertEqual(told["language"], "C99")
         self.assertEqual("".join(line + "\n" for line in told["lines"]), text)
 

@@ -1,7 +1,6 @@
 """texshot compare: whether two pictures are alike, and what differs where. Pillow makes the pictures."""
 
 import io
-import json
 import os
 import subprocess
 import unittest
@@ -9,7 +8,7 @@ import unittest
 import numpy
 from PIL import Image
 
-from texshot import TEXSHOT, Texshot, texshot, within_memory
+from texshot import TEXSHOT, Texshot, single, texshot, within_memory
 
 ALIKE, DIFFERENT, UNKNOWN = 0, 1, 2
 
@@ -28,7 +27,7 @@ class Compare(Texshot):
         return result.stdout
 
     def numbers(self, *arguments, status):
-        return json.loads(self.compare(*arguments, "--json", status=status))
+        return single(self.compare(*arguments, "--json", status=status))
 
     def test_one_line_says_that_they_are_alike(self):
         self.assertEqual(self.compare(self.picture(), self.picture("b.bmp"), status=ALIKE),

@@ -1,6 +1,5 @@
 """texshot --completion: the scripts, used in bash, zsh and fish as a user types."""
 
-import json
 import os
 import pty
 import re
@@ -12,7 +11,7 @@ import time
 import unittest
 from pathlib import Path
 
-from texshot import TEXSHOT, Texshot, texshot
+from texshot import TEXSHOT, Texshot, results, texshot
 
 TEXPLORER = Path(TEXSHOT).parent / "texplorer"
 
@@ -77,9 +76,9 @@ class Shell(Texshot):
         for option in ("--renderer", "--show", "--anisotropy"):
             self.assertEqual(self.offered(f"texshot shot {option} "), self.choices("shot", option), option)
         self.assertEqual(self.offered("texshot shot --preset alpha-t"), {"alpha-test"})
-        presets = json.loads(self.succeeds("presets", "--json"))["presets"]
+        presets = results(self.succeeds("presets", "--json"))
         self.assertEqual(self.offered("texshot shot --preset "), {each["name"] for each in presets})
-        lessons = json.loads(self.succeeds("lessons", "--json"))["lessons"]
+        lessons = results(self.succeeds("lessons", "--json"))
         self.assertEqual(self.offered("texshot shot --lesson "), {each["name"] for each in lessons})
         self.assertEqual(self.offered("texshot compress --format "), {
             "dxt1", "dxt1a", "dxt3", "dxt5", "bc4", "bc5", "bc1", "bc1a", "bc2", "bc3", "ati1", "ati2", "rgtc1", "rgtc2"})
@@ -92,8 +91,8 @@ class Shell(Texshot):
         self.assertIn("no-s3tc,units=", self.offered("texshot probe --pretend no-s3tc,u"))
 
     def test_parameters(self):
-        params = json.loads(self.succeeds("params", "--json"))["parameters"]
-        lists = {"points", "colors", "texCoords", "indices"}
+        params = results(self.succeeds("params", "--json"))
+        lists = {"points", "colors", "texCoords", "indices", "list"}
         paths = {each["path"].replace("[]", "[0]") + "=" for each in params if each["kind"] not in lists}
         self.assertGreater(len(paths), 150)
         self.assertEqual(self.offered("texshot shot --set "), paths)

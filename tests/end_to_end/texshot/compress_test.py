@@ -1,7 +1,6 @@
 """texshot compress: Pillow reads its output."""
 
 import io
-import json
 import math
 import os
 import pty
@@ -13,7 +12,7 @@ import unittest
 
 from PIL import Image
 
-from texshot import TEXSHOT, Texshot, bmp, dds, texshot
+from texshot import TEXSHOT, Texshot, bmp, dds, results, texshot
 
 
 class Compress(Texshot):
@@ -80,7 +79,7 @@ class Compress(Texshot):
 
             for name in ("dxt1", "dxt5"):
                 with self.subTest(f"{name}, cube map: {cube}"):
-                    written, = json.loads(self.succeeds("compress", own, out, "--format", name, "--json"))["written"]
+                    written, = results(self.succeeds("compress", own, out, "--format", name, "--json"))
                     self.assertEqual((written["levels"], written["losses"]), (4, []))
                     for face in (0, 5):
                         self.assertEqual(decoded(face), [(8 >> i, [((8 >> i) ** 2, color)]) for i, color in enumerate(colors)])
@@ -88,8 +87,8 @@ class Compress(Texshot):
                 with self.subTest(f"--mips {mips}, cube map: {cube}"):
                     result = texshot("compress", own, out, "--format", "dxt1", "--mips", mips, "--json")
                     self.assertEqual((result.returncode, result.stderr.decode()), (0, f"texshot: {own}: lost in DDS: {said}\n"))
-                    loss, = json.loads(result.stdout)["written"][0]["losses"]
-                    self.assertEqual((loss["what"], loss["sentence"]), ("levels", said))
+                    loss, = results(result.stdout)[0]["losses"]
+                    self.assertEqual((loss["what"], loss["message"]), ("levels", said))
                     self.assertEqual(decoded(0), [(8 >> i, [((8 >> i) ** 2, colors[0])]) for i in range(levels)])
         self.assertIn(b"--gamma: has no effect here", texshot("compress", own, out, "--format", "dxt1", "--gamma").stderr)
 
@@ -105,8 +104,8 @@ class Compress(Texshot):
                 told = texshot("compress", picture, out, "--format", name, "--json")
                 said = f"texshot: {picture}: lost in DDS: {sentence}\n" if sentence else ""
                 self.assertEqual((told.returncode, told.stderr.decode()), (0, said))
-                written, = json.loads(told.stdout)["written"]
-                self.assertEqual([loss["sentence"] for loss in written["losses"]], [sentence] if sentence else [])
+                written, = results(told.stdout)
+                self.assertEqual([loss["message"] for loss in written["losses"]], [sentence] if sentence else [])
                 self.assertEqual({level["components"] for level in written["report"]["levels"]}, {components})
                 report = texshot("compress", picture, out, "--format", name, "--report").stdout.decode()
                 self.assertRegex(report, rf"level  0  16 × 16 +\d+ bytes  [^\n]* in {components}\n")
@@ -118,7 +117,7 @@ class Compress(Texshot):
         Image.merge("RGBA", (*Image.open(self.picture(16, 16)).split(), Image.new("L", (16, 16), 255))).save(picture)
         found = []
         for name in ("dxt1", "dxt3"):
-            written, = json.loads(self.succeeds("compress", picture, out, "--format", name, "--mips", "none", "--json"))["written"]
+            written, = results(self.succeeds("compress", picture, out, "--format", name, "--mips", "none", "--json"))
             level, = written["report"]["levels"]
             decoded = Image.open(io.BytesIO(self.succeeds("decode", out, "-"))).convert("RGB")
             squares = self.distance(decoded, Image.open(picture).convert("RGB")) ** 2

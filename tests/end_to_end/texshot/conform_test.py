@@ -12,7 +12,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from texshot import TEXSHOT, Texshot, texshot
+from texshot import TEXSHOT, Texshot, document, single, texshot
 
 sys.path.append(str(Path(__file__).parents[1] / "report"))
 from browser import Browser  # noqa: E402
@@ -31,14 +31,14 @@ class Conform(Texshot):
 
     def test_the_command_that_a_report_gives_makes_it_again(self):
         report = self.succeeds(*self.FEW, "--json", "--seed", "7", "--renderer", "shader")
-        command = json.loads(report)["command"]
+        command = single(report)["command"]
         self.assertRegex(command, r"\AGALLIVM_PERF=\S+ texshot conform --seed 7 --scenes 16 --feature wrap --feature environment --renderer shader\Z")
         path = f"{Path(TEXSHOT).parent}:{os.environ['PATH']}"
         again = subprocess.run(f"{command} --json", shell=True, stdout=subprocess.PIPE, env=os.environ | {"PATH": path})
         self.assertEqual((again.returncode, again.stdout), (0, report))
 
     def test_what_is_pretended_is_skipped_and_said(self):
-        report = json.loads(self.succeeds("conform", "--feature", "seamless", "--feature", "units", "--scenes", "16", "--json",
+        report = single(self.succeeds("conform", "--feature", "seamless", "--feature", "units", "--scenes", "16", "--json",
                                           "--pretend", "no-multitexture,no-seamless-cube-maps"))
         self.assertTrue(report["command"].endswith(" --pretend no-multitexture,no-seamless-cube-maps"))
         self.assertIn("pretending no-multitexture, no-seamless-cube-maps", json.dumps(report))
@@ -47,7 +47,7 @@ class Conform(Texshot):
         self.assertEqual([(skip["name"], skip["scenes"]) for skip in skips], [("no-seamless-cube-maps", 8), ("too-few-units", 8)])
 
     def test_one_pair_as_json(self):
-        report = json.loads(self.succeeds(*self.FEW, "--json", "--renderer", "shader", "--against", "reference"))
+        report = single(self.succeeds(*self.FEW, "--json", "--renderer", "shader", "--against", "reference"))
         self.assertTrue(report["agrees"])
         self.assertEqual([(pair["renderer"], pair["against"]) for pair in report["pairs"]], [("shader", "reference")])
         for feature in report["pairs"][0]["features"]:
@@ -121,7 +121,7 @@ class Conform(Texshot):
             self.assertIn(expected, said)
 
     def test_the_list_as_json_names_the_rules_of_its_features(self):
-        listing = json.loads(self.succeeds("conform", "--list", "--json"))
+        listing = single(self.succeeds("conform", "--list", "--json"))
         rules = {rule["name"] for rule in listing["rules"]}
         self.assertEqual({feature[key] for feature in listing["features"] for key in ("reference", "shader")}, rules)
         text = self.succeeds("conform", "--list").decode()

@@ -1,13 +1,12 @@
 """texshot convert: Pillow reads what it writes."""
 
-import json
 import random
 import unittest
 
 from PIL import Image, ImageCms
 from PIL.PngImagePlugin import PngInfo
 
-from texshot import Texshot, dds, texshot
+from texshot import Texshot, dds, problem, results, texshot
 
 
 class Convert(Texshot):
@@ -35,19 +34,18 @@ class Convert(Texshot):
                 with self.subTest(f"{name} {ending}"):
                     out = self.path / f"{name}.{ending}"
                     self.assertIn("--lossy", self.complains(1, expected, "convert", file, out))
-                    failed, = json.loads(texshot("convert", file, out, "--json").stdout)["failed"]
-                    self.assertIn(expected, failed["error"])
+                    self.assertIn(expected, problem(texshot("convert", file, out, "--json").stdout))
                     self.assertFalse(out.exists())
                     result = texshot("convert", file, out, "--json", "--lossy")
                     self.assertEqual(result.returncode, 0, result.stderr)
                     self.assertIn(expected, result.stderr.decode())
-                    losses = json.loads(result.stdout)["written"][0]["losses"]
-                    self.assertEqual([(loss["what"], loss["sentence"]) for loss in losses], [(name, expected)])
+                    losses = results(result.stdout)[0]["losses"]
+                    self.assertEqual([(loss["what"], loss["message"]) for loss in losses], [(name, expected)])
                     with Image.open(out) as picture:
                         self.assertEqual(picture.size, (2, 2))
             if name != "componentBits":  # DDS holds it all
                 self.succeeds("convert", file, self.path / "again.dds")
-                whole, again = (json.loads(self.succeeds("info", each, "--json"))["files"][0] for each in (file, self.path / "again.dds"))
+                whole, again = (results(self.succeeds("info", each, "--json"))[0] for each in (file, self.path / "again.dds"))
                 for fact in ("layers", "faces", "depth", "levels", "pixelBytes"):
                     self.assertEqual(again[fact], whole[fact])
 
@@ -58,7 +56,7 @@ class Convert(Texshot):
         result = texshot("convert", source, out, "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertTrue(result.stderr.endswith(b"lost in BMP: the ICC profile; the comment\n"), result.stderr)
-        losses = json.loads(result.stdout)["written"][0]["losses"]
+        losses = results(result.stdout)[0]["losses"]
         self.assertEqual([(loss["what"], loss["ofPixels"]) for loss in losses], [("colorProfile", False), ("metadata", False)])
 
     def test_what_is_lost_is_said_everywhere(self):
@@ -76,8 +74,8 @@ class Convert(Texshot):
                 self.assertEqual((result.returncode, result.stderr.decode()),
                                  (0, f"texshot: {source}: lost in {ending.upper()}: {said}\n"))
                 self.assertEqual(result.stdout.decode().splitlines()[1:], [f"lost: {said}"])
-                losses = json.loads(texshot("convert", source, out, "--json").stdout)["written"][0]["losses"]
-                self.assertEqual([loss["sentence"] for loss in losses], sentences)
+                losses = results(texshot("convert", source, out, "--json").stdout)[0]["losses"]
+                self.assertEqual([loss["message"] for loss in losses], sentences)
                 self.assertEqual(texshot("convert", source, out, "--quiet").stderr, b"")
 
     def test_convert_keeps_that_colours_are_srgb(self):

@@ -1,12 +1,11 @@
 """texshot decode: a file, or a part of it, as a picture."""
 
 import io
-import json
 import unittest
 
 from PIL import Image
 
-from texshot import Texshot, bmp, dds, texshot
+from texshot import Texshot, bmp, dds, results, texshot
 
 
 class Decode(Texshot):
@@ -55,7 +54,7 @@ class Decode(Texshot):
                 result = texshot("decode", file, self.path / "out.png", "--lossy", "--json")
                 (self.path / "out.png").unlink()
                 self.assertEqual(result.returncode, 0, result.stderr)
-                self.assertIn(options[0][2:] + "s", [loss["what"] for loss in json.loads(result.stdout)["written"][0]["losses"]])
+                self.assertIn(options[0][2:] + "s", [loss["what"] for loss in results(result.stdout)[0]["losses"]])
         self.complains(1, "layers 0 to 1", "decode", self.path / "array.dds", "-", "--layer", "2", "--face", "0")
 
     def test_decode_refuses_to_take_bits(self):

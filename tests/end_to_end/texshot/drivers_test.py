@@ -13,7 +13,7 @@ import unittest
 
 from PIL import Image
 
-from texshot import TEXSHOT, Texshot, texshot
+from texshot import TEXSHOT, Texshot, results, single, texshot
 
 # The built modules: one for each library of contexts.
 MODULES = {path.stem.removeprefix("texshot_")
@@ -104,7 +104,7 @@ class Drivers(Texshot):
     def drivers(self, *arguments, **options):
         result = texshot("drivers", "--json", *arguments, **options)
         self.assertIn(result.returncode, (0, 1), result.stderr)
-        return {each["context"]: each for each in json.loads(result.stdout)["contexts"]}
+        return {each["context"]: each for each in results(result.stdout)}
 
     def test_every_context_says_what_ctypes_hears_from_it(self):
         found = self.drivers("--extensions")
@@ -146,7 +146,7 @@ class Drivers(Texshot):
             for each in self.drivers(env=environment).values():
                 with self.subTest(version=version, context=each["context"]):
                     self.assertEqual((each["usable"], each["profile"]), (False, profile))
-                    self.assertIn("needs OpenGL 2.1", each["error"])
+                    self.assertIn("needs OpenGL 2.1", each["error"]["message"])
                     self.assertIn("llvmpipe", each["renderer"])
             result = texshot("drivers", env=environment)
             self.assertEqual((result.returncode, result.stderr),
@@ -180,7 +180,7 @@ class Contexts(Texshot):
     }
 
     def contexts(self):
-        found = [each["context"] for each in json.loads(self.succeeds("drivers", "--json"))["contexts"]
+        found = [each["context"] for each in results(self.succeeds("drivers", "--json"))
                  if each["usable"] and "llvmpipe" in each["renderer"]]
         self.assertEqual({name.split(":")[0] for name in found}, MODULES)
         return found
@@ -223,7 +223,7 @@ class Contexts(Texshot):
                   for context in self.contexts()}
         self.assertEqual(len(probes), 1)
         for context in self.contexts():
-            report = json.loads(self.succeeds("conform", "--feature", "wrap", "--scenes", "20", "--json", "--context",
+            report = single(self.succeeds("conform", "--feature", "wrap", "--scenes", "20", "--json", "--context",
                                               context))
             self.assertIn(f"--context {context}", report["command"])
 
@@ -251,7 +251,7 @@ class BadDrivers(Texshot):
     def listed(self, environment, *arguments):
         result = texshot("drivers", "--json", *arguments, env=environment)
         self.assertIn(result.returncode, (0, 1))
-        contexts = {each["context"]: each for each in json.loads(result.stdout)["contexts"]}
+        contexts = {each["context"]: each for each in results(result.stdout)}
         for name, each in contexts.items():
             self.assertEqual(each["usable"], name == "osmesa", name)
         contexts.pop("osmesa", None)
@@ -271,7 +271,7 @@ class BadDrivers(Texshot):
                 contexts = self.listed(self.vendor(fate), "--time-limit", "2")
                 self.assertTrue(contexts)
                 for each in contexts.values():
-                    self.assertIn(sentence, each["error"])
+                    self.assertIn(sentence, each["error"]["message"])
 
     def test_a_driver_of_mesa_that_crashes_is_a_line_for_each_context(self):
         for fate, sentence in (("abort();", "the driver crashed: SIGABRT, aborted"),
@@ -280,7 +280,7 @@ class BadDrivers(Texshot):
                 contexts = self.listed(self.mesa_driver(fate))
                 self.assertIn("egl:surfaceless", contexts)
                 for each in contexts.values():
-                    self.assertIn(sentence, each["error"])
+                    self.assertIn(sentence, each["error"]["message"])
 
     def test_to_draw_with_them_is_a_sentence(self):
         picture = ["shot", "--context", "egl", "-o", self.path / "out.png"]

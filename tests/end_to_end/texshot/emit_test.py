@@ -10,7 +10,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from texshot import Texshot, bmp, texshot
+from texshot import Texshot, bmp, results, texshot
 
 
 class Emit(Texshot):
@@ -38,7 +38,7 @@ class Emit(Texshot):
         self.assertEqual((done.returncode, done.stderr), (0, b""))
 
     def test_a_lesson_says_why(self):
-        lesson = json.loads(self.succeeds("lessons", "--json"))["lessons"]
+        lesson = results(self.succeeds("lessons", "--json"))
         title = next(each for each in lesson if each["name"] == "filters")["title"]
         text = self.emitted("--lesson", "filters", "--step", "1")
         self.assertTrue(text.startswith(f"/* {title}: Texels are squares\n"), text[:200])

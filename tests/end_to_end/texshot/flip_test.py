@@ -1,6 +1,5 @@
 """texshot flip: Pillow reads what it writes."""
 
-import json
 import random
 import struct
 import unittest
@@ -8,7 +7,7 @@ import unittest
 from PIL import Image, ImageCms
 from PIL.PngImagePlugin import PngInfo
 
-from texshot import Texshot, dds, texshot
+from texshot import Texshot, dds, results, texshot
 
 
 class Flip(Texshot):
@@ -60,7 +59,7 @@ class Flip(Texshot):
         turned = dds(5, 4, self.rows_turned(pixels, 20, 4), 28, layers=3)
         plain, flipped = self.path / "plain.dds", self.path / "flipped.dds"
         plain.write_bytes(dds(5, 4, pixels, 28, layers=3))
-        written, = json.loads(self.succeeds("flip", plain, flipped, "--json"))["written"]
+        written, = results(self.succeeds("flip", plain, flipped, "--json"))
         self.assertEqual((written["layers"], written["losses"]), (3, []))
         self.assertEqual(flipped.read_bytes()[148:], turned[148:])
         self.assertEqual(flipped.read_bytes()[128:148], turned[128:148])
@@ -95,7 +94,7 @@ class Flip(Texshot):
                 result = texshot("flip", file, self.path / ("out" + name[-4:]), "--lossy", "--json")
                 self.assertEqual(result.returncode, 0)
                 self.assertIn(b"bits a component become 8", result.stderr)
-                losses = json.loads(result.stdout)["written"][0]["losses"]
+                losses = results(result.stdout)[0]["losses"]
                 self.assertEqual([(loss["what"], loss["ofPixels"]) for loss in losses], [("componentBits", True)])
 
     def test_flip_keeps_what_a_png_says_of_its_colours(self):

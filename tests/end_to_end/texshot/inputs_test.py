@@ -122,7 +122,7 @@ class Inputs(Suites):
 
     def test_every_output_option_is_tried(self):
         """The options whose value help calls FILE or DIR: each output must be tested here or listed as an exception."""
-        reads = {"--shaders", "--mask", "--lesson", "--expected", "--actual", "--accept", "--resume", "--check", "--diff"}
+        reads = {"--shaders", "--mask", "--lesson", "--expected", "--actual", "--accept", "--resume", "--check", "--template", "--diff"}
         elsewhere = {("schema", "--out"), ("conform", "--out"), ("conform", "--report"), ("lessons", "--page"), ("test", "--report"),
                      ("merge", "--report"), ("flip", "--out"), ("convert", "--out"), ("decode", "--out"), ("compress", "--out")}
         tried = set(self.calls()) | elsewhere

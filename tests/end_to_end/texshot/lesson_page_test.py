@@ -6,7 +6,7 @@ import json
 import unittest
 
 from PIL import Image
-from texshot import Texshot, bmp, texshot
+from texshot import Texshot, bmp, results, single, texshot
 
 LESSON = {"lesson": 1, "title": "Mine & <yours>", "about": "\"Quoted\".", "steps": [
     {"title": "One", "text": "A < B.", "scene": "cube", "look": {"probe": [500, 250]},
@@ -103,7 +103,7 @@ class LessonPage(Texshot):
         text = html.unescape(self.page("--lesson", "laboratory"))
         self.assertNotRegex(text.split("<main>")[1].split("<pre")[0], r"\{\w+\}")
         # The mark of the first step, 500 and 417 thousandths of 320 x 240.
-        probed = json.loads(self.succeeds("probe", "--lesson", "laboratory", "--at", "160,100", "--size", "320x240", "--json"))
+        probed = single(self.succeeds("probe", "--lesson", "laboratory", "--at", "160,100", "--size", "320x240", "--json"))
         lod = probed["fragments"][-1]["units"][0]["sample"]["lod"]
         side, up = lod["texelsPerPixelX"], lod["texelsPerPixelY"]
         self.assertIn(f"lie {side:.2f} texels to the side, and {up:.2f} upwards. What is its lambda?", text)
@@ -219,7 +219,7 @@ class LessonPage(Texshot):
         self.assertEqual((self.path / "out" / "mine-1.png").read_bytes()[:4], b"\x89PNG")
 
     def test_json_has_the_answers_and_the_numbers(self):
-        lessons = json.loads(self.succeeds("lessons", "--json"))["lessons"]
+        lessons = results(self.succeeds("lessons", "--json"))
         asked = [step for lesson in lessons for step in lesson["steps"] if step["task"] == "predict"]
         self.assertGreater(len(asked), 20)
         for step in asked:

@@ -4,10 +4,11 @@ import io
 import json
 import os
 import pathlib
+import subprocess
 import unittest
 
 from PIL import Image, ImageChops
-from texshot import Texshot, bmp, texshot
+from texshot import Texshot, bmp, problem, results, single, texshot
 
 STEP = {"title": "S", "text": "T", "scene": "cube"}
 SMALL = {"lesson": 1, "title": "Small", "about": "A", "steps": [STEP]}
@@ -33,7 +34,7 @@ class Lessons(Texshot):
 class Listing(Lessons):
     def test_each_is_listed_with_its_steps(self):
         text = self.succeeds("lessons").decode()
-        lessons = json.loads(self.succeeds("lessons", "--json"))["lessons"]
+        lessons = results(self.succeeds("lessons", "--json"))
         self.assertEqual(lessons[0]["name"], "first-texture")
         self.assertGreaterEqual(len(lessons), 12)
         self.assertGreaterEqual(sum(len(each["steps"]) for each in lessons), 60)
@@ -60,12 +61,22 @@ class Checking(Lessons):
 
     def test_json_names_each_mistake(self):
         folder = self.lesson()
-        told = json.loads(self.succeeds("lessons", "--check", folder, "--json"))
-        self.assertEqual(told, {"file": f"{folder}/lesson.json", "steps": 1, "problems": []})
+        told = single(self.succeeds("lessons", "--check", folder, "--json"))
+        self.assertEqual(told, {"file": f"{folder}/lesson.json", "steps": 1})
         result = texshot("lessons", "--check", self.lesson(text='{"lesson": 1,\n'), "--json")
         self.assertEqual((result.returncode, result.stderr.count(b"\n")), (1, 1))
-        (problem,) = json.loads(result.stdout)["problems"]
-        self.assertIn(problem["sentence"], result.stderr.decode())
+        self.assertEqual(result.stderr.decode(), f"texshot: {problem(result.stdout)}\n")
+
+    def test_a_template_has_every_text_for_gettext(self):
+        folder = self.lesson({**STEP, "text": "Two {color}s.\nSay \"s\\t\".", "scene": "checker", "look": {"probe": [490, 480]}})
+        template = self.succeeds("lessons", "--template", folder)
+        made = subprocess.run(["msgen", "-"], input=template, capture_output=True)
+        self.assertEqual((made.returncode, made.stderr), (0, b""))
+        (folder / "ru.po").write_bytes(made.stdout.replace(b"Language: ", b"Language: ru"))
+        self.succeeds("lessons", "--check", folder)
+        self.assertIn(b"python-brace-format", template)
+        self.complains(2, "expected one of --check, --page and --template", "lessons", "--template", folder, "--check", folder)
+        self.complains(1, "lesson.json", "lessons", "--template", self.path / "nowhere")
 
     def test_what_is_no_lesson(self):
         self.complains(1, "lesson.json", "lessons", "--check", self.path)
@@ -91,7 +102,7 @@ class Checking(Lessons):
 
     def test_numbers_and_marks(self):
         """Values that depend on the picture's size, and values without a number."""
-        probed = json.loads(self.succeeds("probe", "--example", "checker", "--at", "156,115", "--size", "320x240", "--json"))
+        probed = single(self.succeeds("probe", "--example", "checker", "--at", "156,115", "--size", "320x240", "--json"))
         rho = f"{probed['fragments'][-1]['units'][0]['sample']['lod']['rho']:.2f}"
         mark = {"look": {"probe": [490, 480]}}
         for step, *expected in [

@@ -1,11 +1,10 @@
 """texshot params, and the help of every command."""
 
-import json
 import os
 import subprocess
 import unittest
 
-from texshot import TEXSHOT, Texshot
+from texshot import TEXSHOT, Texshot, results
 
 
 class Params(Texshot):
@@ -13,7 +12,7 @@ class Params(Texshot):
         text = self.succeeds("params").decode()
         for expected in ["textures[].minFilter", "GL_LINEAR_MIPMAP_LINEAR", "passes[].units[].envColor"]:
             self.assertIn(expected, text)
-        listed = json.loads(self.succeeds("params", "--json"))
+        listed = results(self.succeeds("params", "--json"))
         self.assertTrue(listed)
 
     def test_it_does_not_load_gl(self):

@@ -10,7 +10,7 @@ import unittest
 
 from PIL import Image
 
-from texshot import TEXSHOT, Texshot, bmp, texshot, within_memory
+from texshot import TEXSHOT, Texshot, bmp, results, texshot, within_memory
 
 
 class Pipes(Texshot):
@@ -49,7 +49,7 @@ class Pipes(Texshot):
                 self.assertEqual(os.listdir(self.path / kind), [f"nameless.{expected.lower()}"])
         self.assertTrue(self.fed(self.bmp, "compress", "-", "-", "--format", "dxt1").startswith(b"DDS "))
         self.assertIn(b"standard input", self.fed(self.bmp, "info", "-"))
-        told = json.loads(self.fed(self.bmp, "info", "-", "--json"))["files"][0]
+        told = results(self.fed(self.bmp, "info", "-", "--json"))[0]
         self.assertEqual((told["file"], told["width"], told["height"]), ("-", 16, 8))
 
     def test_a_file_may_be_standard_input(self):

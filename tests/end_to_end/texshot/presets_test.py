@@ -1,16 +1,15 @@
 """texshot presets, and --preset of every command that takes a scene."""
 
 import io
-import json
 import unittest
 
 from PIL import Image
-from texshot import Texshot
+from texshot import Texshot, results
 
 
 class Presets(Texshot):
     def names(self):
-        return [each["name"] for each in json.loads(self.succeeds("presets", "--json"))["presets"]]
+        return [each["name"] for each in results(self.succeeds("presets", "--json"))]
 
     def background(self, *arguments):
         """The share of the pixels that have the background's colour."""

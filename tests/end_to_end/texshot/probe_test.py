@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import unittest
 
-from texshot import SANITIZED, TEXSHOT, Texshot, bmp, texshot
+from texshot import SANITIZED, TEXSHOT, Texshot, bmp, single, texshot
 
 
 class Probe(Texshot):
@@ -25,7 +25,7 @@ class Probe(Texshot):
         }))
 
     def probe(self, *arguments):
-        return json.loads(self.succeeds("probe", self.scene, "--size", "4x4", "--json", *arguments))
+        return single(self.succeeds("probe", self.scene, "--size", "4x4", "--json", *arguments))
 
     def test_the_pixel_is_counted_from_the_top_left_and_its_texels_are_those_of_the_specification(self):
         found = self.probe("--at", "0,3", "--no-gl")
@@ -100,7 +100,7 @@ class Probe(Texshot):
     def test_the_list_of_a_large_picture_is_written_as_it_is_found(self):
         probe = subprocess.Popen([TEXSHOT, "probe", self.scene, "--size", "1500x1500", "--json", "--texel", "0,0,0,0"],
                                  stdout=subprocess.PIPE)
-        found = json.loads(probe.stdout.read())
+        found = single(probe.stdout.read())
         probe.stdout.close()
         _, code, used = os.wait4(probe.pid, 0)
         probe.returncode = code
@@ -114,7 +114,7 @@ class Probe(Texshot):
         scene["textures"][0].update(minFilter="GL_NEAREST", magFilter="GL_NEAREST")
         self.scene.write_text(json.dumps(scene))
         call = ("probe", self.scene, "--size", "3x3", "--at", "1,1")
-        found = json.loads(self.succeeds(*call, "--json"))
+        found = single(self.succeeds(*call, "--json"))
         every = [[grey, grey, grey, 255] for grey in (0, 51, 102, 255)]
         self.assertEqual(sorted([found["reference"], *found["asRight"]]), every)
         self.assertIn(found["fixed"], every)
@@ -133,7 +133,7 @@ class Probe(Texshot):
         self.scene.write_text(json.dumps(scene))
         probe = subprocess.Popen([TEXSHOT, "probe", self.scene, "--size", "4x4", "--json", "--at", "1,1", "--no-gl"],
                                  stdout=subprocess.PIPE)
-        found = json.loads(probe.stdout.read())
+        found = single(probe.stdout.read())
         probe.stdout.close()
         _, code, used = os.wait4(probe.pid, 0)
         probe.returncode = code

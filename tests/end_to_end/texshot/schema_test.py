@@ -8,7 +8,7 @@ from pathlib import Path
 
 import jsonschema
 
-from texshot import TEXSHOT, Texshot, texshot
+from texshot import OUTPUT, TEXSHOT, Texshot, results, texshot
 
 SOURCE = Path(__file__).parents[3]
 SOAK = Path(TEXSHOT).parent / "texplorer_soak"
@@ -40,6 +40,10 @@ class Schema(Texshot):
         file = self.path / "scene.schema.json"
         self.assertEqual(self.succeeds("schema", "-o", file), b"")
         self.assertEqual(json.loads(file.read_text()), self.schema)
+        outputs = json.loads(self.succeeds("schema", "--outputs"))
+        jsonschema.Draft202012Validator.check_schema(outputs)
+        self.assertEqual(outputs, OUTPUT.schema)
+        self.complains(2, "expected one of --suites and --outputs", "schema", "--suites", "--outputs")
         suites = json.loads(self.succeeds("schema", "--suites"))
         jsonschema.Draft202012Validator.check_schema(suites)
         self.assertEqual(suites["$id"], self.schema["$id"].replace("scene.", "suite."))
@@ -48,7 +52,7 @@ class Schema(Texshot):
         self.complains(1, "Not a directory", "schema", "-o", file / "schema.json")
 
     def test_every_parameter_has_words_and_an_initial_value_that_it_accepts(self):
-        listed = {entry["path"]: entry for entry in json.loads(self.succeeds("params", "--json"))["parameters"]}
+        listed = {entry["path"]: entry for entry in results(self.succeeds("params", "--json")) if entry["kind"] != "list"}
         found = {}
 
         def walk(struct, path):
@@ -95,8 +99,8 @@ class Schema(Texshot):
             self.assertEqual(self.refused(json.loads(file.read_text())), [], file)
 
     def test_presets_and_lessons_fit(self):
-        calls = [("--preset", each["name"]) for each in json.loads(self.succeeds("presets", "--json"))["presets"]]
-        for lesson in json.loads(self.succeeds("lessons", "--json"))["lessons"]:
+        calls = [("--preset", each["name"]) for each in results(self.succeeds("presets", "--json"))]
+        for lesson in results(self.succeeds("lessons", "--json")):
             calls += [("--lesson", lesson["name"], "--step", step + 1) for step in range(len(lesson["steps"]))]
         self.assertGreater(len(calls), 100)
         for call in calls:

@@ -8,7 +8,7 @@ import unittest
 from PIL import ImageChops
 
 from suites import Suites
-from texshot import texshot
+from texshot import single, texshot
 
 os.environ["GALLIUM_DRIVER"] = "softpipe"
 
@@ -40,7 +40,7 @@ class Softpipe(Suites):
         self.assertGreater(self.worst(drawn, self.shot(scene, *size, "--renderer", "reference")), 20)
         found = {}
         for rho in ("ideal", "lower", "upper"):
-            said = json.loads(self.succeeds("probe", scene, *size, "--at", "80,60", "--no-gl", "--rho", rho, "--json"))
+            said = single(self.succeeds("probe", scene, *size, "--at", "80,60", "--no-gl", "--rho", rho, "--json"))
             lod = said["fragments"][0]["units"][0]["sample"]["lod"]
             self.assertEqual(lod["rhoMethod"], rho)
             found[rho] = lod["log2Rho"]
@@ -49,7 +49,7 @@ class Softpipe(Suites):
 
     def test_the_renderers_agree(self):
         result = texshot("conform", "--scenes", "150", "--json")
-        report = json.loads(result.stdout)
+        report = single(result.stdout)
         differ = [feature["feature"] for pair in report["pairs"] for feature in pair["features"] if not feature["agrees"]]
         self.assertEqual((result.returncode, differ), (0, []))
         self.assertEqual(report["driver"]["renderer"], "softpipe")

@@ -6,7 +6,7 @@ import subprocess
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-from texshot import TEXSHOT, Texshot, texshot
+from texshot import TEXSHOT, Texshot, single, texshot
 
 # Stands before OpenGL, and does to the process what the background's colour says.
 BROKEN_DRIVER = r"""
@@ -79,7 +79,7 @@ class Suites(Texshot):
         result = self.run_of(*arguments, "--json", "-", **options)
         if code is not None:
             self.assertEqual(result.returncode, code, result.stderr)
-        run = json.loads(result.stdout)
+        run = single(result.stdout)
         self.assertEqual(run["status"], result.returncode)
         return {case["name"].split("/")[0]: case for case in run["cases"]}
 

@@ -11,7 +11,7 @@ import unittest
 
 from PIL import Image, ImageChops
 
-from texshot import TEXSHOT, Texshot, texshot
+from texshot import TEXSHOT, Texshot, results, texshot
 
 SMALL = ("--size", "48x32")
 WRAP = "textures[0].wrapS=GL_REPEAT,GL_CLAMP_TO_EDGE,GL_MIRRORED_REPEAT"
@@ -34,7 +34,7 @@ class Sweep(Texshot):
         """What the call tells of its sheets."""
         result = texshot("sweep", self.scene, *(() if "--size" in arguments else SMALL), *arguments, "--json")
         self.assertEqual(result.returncode, code, result.stderr)
-        return json.loads(result.stdout)["sheets"]
+        return results(result.stdout)
 
     def cell(self, picture, cell):
         return picture.crop((cell["x"], cell["y"], cell["x"] + cell["width"], cell["y"] + cell["height"]))
@@ -142,8 +142,8 @@ class Sweep(Texshot):
         self.assertEqual(len(names), 12)
         for name in names[6:]:
             self.assertEqual((self.out / name).read_bytes(), (self.out / name.replace("sweep", "shot")).read_bytes())
-        told = json.loads(self.succeeds("sweep", *call, "-o", self.out / "{number}.png", "--json"))
-        self.assertEqual(len(told["pictures"]), 6)
+        told = results(self.succeeds("sweep", *call, "-o", self.out / "{number}.png", "--json"))
+        self.assertEqual(len(told), 6)
 
     # -- differences
 
@@ -202,8 +202,8 @@ class Sweep(Texshot):
         self.assertEqual(result.returncode, 1)
         said = result.stderr.decode()
         self.assertRegex(said, r"\Atexshot: textures\[0\]\.source=file: [^\n]+\n\Z")
-        drawn, failed = json.loads(result.stdout)["sheets"][0]["cells"]
-        self.assertIn(failed["error"], said)
+        drawn, failed = results(result.stdout)[0]["cells"]
+        self.assertIn(failed["error"]["message"], said)
         self.assertNotIn("error", drawn)
         with Image.open(self.out / "sheet.png") as picture:
             place = self.cell(picture, failed)

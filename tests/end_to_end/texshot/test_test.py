@@ -18,7 +18,7 @@ from pathlib import Path
 from PIL import Image
 
 from suites import COLORS, Suites
-from texshot import SANITIZED, TEXSHOT, texshot
+from texshot import SANITIZED, TEXSHOT, single, texshot
 
 
 class Test(Suites):
@@ -73,7 +73,7 @@ class Test(Suites):
         found = {name: case.get("settings") for name, case in self.record(suite, code=0, env=without).items()}
         precise = "GALLIVM_PERF=no_rho_approx,no_brilinear,no_quad_lod,no_aos_sampling"
         self.assertEqual(found, {"grey": None, "dark": None, "blue": None, "black": precise})
-        self.assertNotIn("settings", json.loads(self.run_of(suite, "--json", "-", env=without).stdout))
+        self.assertNotIn("settings", single(self.run_of(suite, "--json", "-", env=without).stdout))
         found = self.record(suite, code=0, env={**without, "GALLIVM_PERF": "no_rho_approx"})
         self.assertEqual([found[name].get("settings") for name in ("grey", "blue", "black")],
                          [None, "GALLIVM_PERF=no_rho_approx", "GALLIVM_PERF=no_rho_approx"])
@@ -130,7 +130,7 @@ class Test(Suites):
                  "time": 0.5, "size": "64x48"}
         suite = self.suite([entry, *self.backgrounds("grey")])
         report = self.path / "out" / "report"
-        record = json.loads(self.run_of(suite, "--report", report, "--json", "-").stdout)
+        record = single(self.run_of(suite, "--report", report, "--json", "-").stdout)
         self.assertEqual({case["state"] for case in record["cases"]}, {"new"}, record["cases"])
         text = (report / "report-data.js").read_text()
         cases = json.loads(text[len("texplorerReport = "):-2])["cases"]
@@ -395,7 +395,7 @@ class Test(Suites):
             with contextlib.suppress(ProcessLookupError):  # it ended in the meantime
                 os.kill(child, signal.SIGSTOP)
         out = run.communicate(timeout=300)[0]
-        (case,) = json.loads(out)["cases"]
+        (case,) = single(out)["cases"]
         self.assertEqual(case["state"], "timed-out")
         self.assertIn("within 2 s", case["sentence"])
 
@@ -448,7 +448,7 @@ class Test(Suites):
         golden = self.path / "golden" / f"{done[0].replace('/', '__')}.png"
         Image.new("RGB", (160, 160)).save(golden)  # a case that changed since then runs again
         result = self.run_of(suite, "--resume", report, "--json", "-")
-        states = {case["name"]: case["state"] for case in json.loads(result.stdout)["cases"]}
+        states = {case["name"]: case["state"] for case in single(result.stdout)["cases"]}
         self.assertEqual((len(states), [name for name in states if states[name] != "passed"]), (40, [done[0]]))
         other = self.suite(self.backgrounds("grey", renderer="reference"), "other.suite.json")
         self.assertIn(b"the journal has other cases", self.run_of(other, "--resume", report).stderr)
@@ -736,7 +736,7 @@ class Pictures(Suites):
         report = self.path / "report"
         result = self.run_of("--pictures", self.golden, self.actual, "--json", "-", "--report", report)
         self.assertEqual(result.returncode, 1)
-        cases = {case["name"]: case for case in json.loads(result.stdout)["cases"]}
+        cases = {case["name"]: case for case in single(result.stdout)["cases"]}
         self.assertEqual({name: case["state"] for name, case in cases.items()},
                          {"menus/main.png": "failed", "same.png": "resized", "extra.png": "extra", "missing.png": "missing"})
         self.assertIn("9", cases["same.png"]["sentence"])
@@ -765,7 +765,7 @@ class Pictures(Suites):
         self.passes(*call, "--mask", self.path / "mask.png")
         for metric in ("ssim", "flip"):
             result = self.run_of(*call, "--metric", metric, "--json", "-")
-            self.assertEqual(json.loads(result.stdout)["cases"][0]["metric"], metric)
+            self.assertEqual(single(result.stdout)["cases"][0]["metric"], metric)
 
     def test_names_that_are_no_text_and_links_are_cases_of_their_own(self):
         odd = b"caf\xe9.png"

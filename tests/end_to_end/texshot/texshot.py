@@ -12,6 +12,7 @@ import time
 import unittest
 from pathlib import Path
 
+import jsonschema
 from PIL import Image, ImageChops
 
 TEXSHOT = sys.argv.pop(1)
@@ -25,6 +26,33 @@ def within_memory(megabytes):
         limit = f"{os.environ.get('ASAN_OPTIONS', '')}:hard_rss_limit_mb={megabytes}"
         return {"env": {**os.environ, "ASAN_OPTIONS": limit}}
     return {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20))}
+
+
+OUTPUT = jsonschema.Draft202012Validator(
+    json.loads((Path(__file__).parents[3] / "assets" / "schemas" / "output.schema.json").read_text()))
+
+
+def document(text):
+    """What --json prints, as the schema has it."""
+    told = json.loads(text)
+    OUTPUT.validate(told)
+    return told
+
+
+def results(text):
+    return document(text)["results"]
+
+
+def single(text):
+    """The only one."""
+    one, = results(text)
+    return one
+
+
+def problem(text):
+    """The only one, as standard error has it."""
+    one, = document(text)["problems"]
+    return f"{one['where']}: {one['message']}" if one["where"] else one["message"]
 
 
 def texshot(*arguments, **options):
@@ -71,7 +99,7 @@ class Texshot(unittest.TestCase):
         self.assertIn(expected, said)
         json_flag = "--json" in arguments and (arguments[0] != "test" or arguments[arguments.index("--json") + 1] == "-")
         if json_flag:  # then the sentence is there as well
-            self.assertEqual(json.loads(result.stdout), {"error": said.removeprefix("texshot: ").removesuffix("\n")})
+            self.assertEqual(problem(result.stdout), said.removeprefix("texshot: ").removesuffix("\n"))
         else:
             self.assertEqual(result.stdout, b"")
         self.assertEqual(sorted(os.listdir(self.path)), before)
@@ -88,7 +116,7 @@ class Texshot(unittest.TestCase):
 
     def facts(self, *arguments):
         """What `info --json` says of a file."""
-        return json.loads(self.succeeds("info", *arguments, "--json"))["files"][0]
+        return results(self.succeeds("info", *arguments, "--json"))[0]
 
     def difference(self, a, b):
         """Where two opaque pictures differ, or None. Of RGBA Pillow would look at alpha alone."""

@@ -7,7 +7,7 @@ import unittest
 
 from PIL import Image
 
-from texshot import Texshot, bmp, dds, texshot
+from texshot import Texshot, bmp, dds, problem, results, single, texshot
 
 
 class Validate(Texshot):
@@ -43,7 +43,7 @@ class Validate(Texshot):
                 file = self.make(name + ".dds", data)
                 self.assertIn("DDS, valid, but not drawn: DDS: DXGI_FORMAT_", self.succeeds("validate", file).decode())
                 self.faulty("level 0 needs", self.make("cut.dds", data[:148 + 3]))
-        one, = json.loads(self.succeeds("validate", file, "--json"))["files"]
+        one, = results(self.succeeds("validate", file, "--json"))
         self.assertEqual((one["valid"], one["drawn"], one["faults"], len(one["remarks"])), (True, False, [], 1))
         self.faulty("DXGI formats are 1 to 191, dxgiFormat is 500", self.make("none.dds", dds(1, 1, bytes(4), 500)))
 
@@ -130,8 +130,8 @@ class Validate(Texshot):
         wrong = self.make("wrong.json", json.dumps({
             "version": 1, "view": {"distanc": 1, "target": [0, "x", 0]}, "textures": [{"wrapS": "GL_CLAMPED", "wrapT": 3}, {}],
             "passes": [{"units": [{"textur": 0}]}]}).encode())
-        told = json.loads(texshot("validate", "--json", wrong).stdout)["files"][0]
-        self.assertEqual(sorted(fault.split(": ")[0] for fault in told["faults"]),
+        told = results(texshot("validate", "--json", wrong).stdout)[0]
+        self.assertEqual(sorted(fault["message"].split(": ")[0] for fault in told["faults"]),
                          ["/passes/0/units/0/textur", "/textures/0/wrapS", "/textures/0/wrapT", "/view/distanc",
                           "/view/target/1"])
 
@@ -158,16 +158,15 @@ class Validate(Texshot):
                          [f"texshot: {self.path}/missing.png: can't be opened: No such file or directory",
                           f"texshot: {self.path}: is a directory, not a file"])
         result = texshot("validate", "--json", self.path / "missing.png", good)
-        told = json.loads(result.stdout)
-        self.assertEqual(result.stderr.decode(), f"texshot: {told['error']}\n")
-        self.assertEqual([each["faults"] for each in told["files"]], [["can't be opened: No such file or directory"], []])
-        told = json.loads(texshot("validate", "--json", good, bad).stdout)
-        self.assertFalse(told["valid"])
-        self.assertEqual([(each["file"], each["kind"], each["valid"]) for each in told["files"]],
+        self.assertEqual(result.stderr.decode(), f"texshot: {problem(result.stdout)}\n")
+        self.assertEqual([[fault["message"] for fault in each["faults"]] for each in results(result.stdout)],
+                         [["can't be opened: No such file or directory"], []])
+        told = results(texshot("validate", "--json", good, bad).stdout)
+        self.assertEqual([(each["file"], each["kind"], each["valid"]) for each in told],
                          [(str(good), "BMP", True), (str(bad), "scene", False)])
-        self.assertEqual(told["files"][0]["faults"], [])
-        self.assertEqual(len(told["files"][1]["faults"]), 1)
-        self.assertTrue(json.loads(self.succeeds("validate", "--json", good))["valid"])
+        self.assertEqual(told[0]["faults"], [])
+        self.assertEqual(len(told[1]["faults"]), 1)
+        self.assertTrue(single(self.succeeds("validate", "--json", good))["valid"])
 
     def test_names_are_printed_harmlessly(self):
         file = self.make("\x1b[31m\n.json", b"{}")
