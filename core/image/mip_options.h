@@ -32,6 +32,7 @@ inline constexpr std::array mipFilterRows{
 };
 
 inline constexpr std::array npotPolicyRows{
+    // Translators: a size that is no power of two is kept
     row(NpotPolicy::Keep, "keep", "Keep",
         "Any size, as in OpenGL 2.0 and later. Odd sizes are halved and rounded down."),
     row(NpotPolicy::PowerOfTwo, "power-of-two", "Nearest power of two",

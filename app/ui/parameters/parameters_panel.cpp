@@ -66,7 +66,7 @@ bool section(const Session& session, Section which, const std::vector<Mark>& mar
     if (named || (!session.out.wantedParam.empty() && sectionOf(session.out.wantedParam) == which))
         ImGui::SetNextItemOpen(true);
     ImGui::PushStyleColor(ImGuiCol_Text, idle.empty() ? color::text : color::dim);
-    ImGui::PushID(idle.empty() ? N_("in use") : "idle"); // it opens when it has an effect
+    ImGui::PushID(idle.empty() ? "in use" : "idle"); // it opens when it has an effect
     const bool shown =
         ImGui::CollapsingHeader(label(row.title), idle.empty() ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     ImGui::PopID();

@@ -339,6 +339,7 @@ void pasteCoords(const Session& session, const PlaneCoords& coords) {
 
 void drawPlaneTools(const Session& session, TextureSpaceState& state) {
     constexpr const char* more = "…";
+    // Translators: a button that shows the image and every vertex
     constexpr const char* fit = N_("Fit");
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     const float end = ImGui::GetContentRegionMax().x - buttonWidth(fit) - buttonWidth(more) - gap;

@@ -99,13 +99,13 @@ std::vector<ImVec2> chosenPlaces(const Session& session, const PlaneCoords& coor
 void noteCoordPlaces(const Canvas& canvas, const PlaneCoords& coords) {
     if (!arePlacesWanted())
         return;
-    const auto note = [&](const char* name, std::size_t vertex, glm::vec2 place) {
+    const auto noteAt = [&](const char* name, std::size_t vertex, glm::vec2 place) {
         const ImVec2 at = canvas.toPixel(place);
         noteDrawn(fmt::format("{}:{}", name, vertex), at, at);
     };
     for (std::size_t vertex = 0; vertex < coords.givenPlaces().size(); ++vertex) {
-        note("coord", vertex, coords.givenPlaces()[vertex]);
-        note("end", vertex, coords.resultingPlaces()[vertex]);
+        noteAt("coord", vertex, coords.givenPlaces()[vertex]);
+        noteAt("end", vertex, coords.resultingPlaces()[vertex]);
     }
 }
 

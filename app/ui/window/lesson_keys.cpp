@@ -18,11 +18,17 @@ struct NamedKey {
     int code;
 };
 constexpr std::array namedKeys{
-    NamedKey{N_("Up"), key::up},          NamedKey{N_("Down"), key::down},
-    NamedKey{N_("Left"), key::left},      NamedKey{N_("Right"), key::right},
-    NamedKey{N_("Page Up"), key::pageUp}, NamedKey{N_("Page Down"), key::pageDown},
-    NamedKey{N_("Home"), key::home},      NamedKey{N_("End"), key::end},
-    NamedKey{N_("Insert"), key::insert},  NamedKey{N_("Delete"), key::del},
+    NamedKey{N_("Up"), key::up},
+    NamedKey{N_("Down"), key::down},
+    // Translators: names of keys of the keyboard
+    NamedKey{N_("Left"), key::left},
+    NamedKey{N_("Right"), key::right},
+    NamedKey{N_("Page Up"), key::pageUp},
+    NamedKey{N_("Page Down"), key::pageDown},
+    NamedKey{N_("Home"), key::home},
+    NamedKey{N_("End"), key::end},
+    NamedKey{N_("Insert"), key::insert},
+    NamedKey{N_("Delete"), key::del},
     NamedKey{N_("Space"), key::space},
 };
 static_assert(std::ranges::equal(namedKeys, lesson::keyNames, {}, &NamedKey::name));

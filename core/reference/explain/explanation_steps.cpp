@@ -70,6 +70,7 @@ Step triangleStep(const FragmentExplanation& fragment) {
                   [](const auto& v) { return vectorText(glm::vec3(v.object)); }),
         perCorner("in eye coordinates", fragment, [](const auto& v) { return vectorText(glm::vec3(v.eye)); }),
         perCorner("normal there", fragment, [](const auto& v) { return vectorText(v.normal); }),
+        // Translators: the fourth coordinate
         perCorner("w", fragment, [](const auto& v) { return columnText(v.clip.w); })};
     if (fragment.clipped)
         step.rows.push_back({N_(

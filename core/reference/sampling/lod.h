@@ -26,6 +26,7 @@ inline constexpr std::array anisotropyMethodRows{
     row(AnisotropyMethod::Ellipse, "ellipse", "Ellipse",
         "An elliptical weighted average of all texels that a pixel covers, as in Mesa's softpipe, and in its "
         "llvmpipe before version 25."),
+    // Translators: a filter that reads texels along a line
     row(AnisotropyMethod::Line, "line", "Line",
         "Up to max anisotropy samples of one level, evenly spaced along the longer axis of a pixel's "
         "footprint, as in Mesa's llvmpipe since version 25."),

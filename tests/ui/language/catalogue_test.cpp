@@ -1,6 +1,11 @@
 #include "app/ui/language/catalogue.h"
+#include "app/ui/language/po_file.h"
 
 #include <gmock/gmock.h>
+
+#include <array>
+#include <string>
+#include <vector>
 
 namespace texplorer::catalogue_test {
 namespace {
@@ -123,6 +128,49 @@ TEST(Catalogue, SaysWhichLineIsWrong) {
     EXPECT_EQ(refused("\n\n\"b\"\n").where, "ru/test.po:3");
     EXPECT_EQ(refused("msgid \"a\n").where, "ru/test.po:1");
     EXPECT_EQ(refused("msgid \"a\\\"\n").where, "ru/test.po:1");
+}
+
+std::size_t countOf(std::string_view text, std::string_view part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string_view::npos;
+         at = text.find(part, at + part.size()))
+        ++count;
+    return count;
+}
+
+/// Every text of the program, in each language and plural form: an argument is inserted wherever the form has
+/// its placeholder, as it is, and nowhere else.
+TEST(Catalogues, InsertUnusualArgumentsIntoEveryForm) {
+    const std::array<std::string, 8> names{
+        "<0>{1}",   "<1>}{", "<2>\xFF\xFE", "<3>##%s\n\\", "<4>" + std::string(5000, 'x'),
+        "<5>{{0}}", "<6>",   "<7>\x1B["};
+    const auto named = [&](std::size_t i) { return ProperName{names.at(i)}; };
+    const Sentence sentence("{0}{1}{2}{3}{4}{5}{6}{7}", named(0), named(1), named(2), named(3), named(4),
+                            named(5), named(6), named(7));
+    std::size_t forms = 0;
+    for (const CatalogueFile& file : catalogueFiles()) {
+        const Result<std::vector<PoEntry>> entries = readPoFile(file.text, file.name);
+        ASSERT_TRUE(entries) << describe(entries.error());
+        for (const PoEntry& entry : *entries) {
+            for (const std::string& form : entry.forms) {
+                const std::string text =
+                    sentence.in(form, [](const Sentence& each) { return each.english(); });
+                std::size_t inserted = 0;
+                for (std::size_t i = 0; i < names.size(); ++i) {
+                    const std::string place = "{" + std::to_string(i);
+                    const std::size_t places = countOf(form, place + "}") + countOf(form, place + ":");
+                    EXPECT_EQ(countOf(text, names.at(i)), places) << file.name << ": " << form;
+                    EXPECT_EQ(places > 0, entry.key.find(place) != std::string::npos)
+                        << file.name << ": " << form;
+                    inserted += places * names.at(i).size();
+                }
+                EXPECT_LE(inserted, text.size());
+                EXPECT_LE(text.size() - inserted, form.size()) << file.name << ": " << form;
+                ++forms;
+            }
+        }
+    }
+    EXPECT_GT(forms, 7'000U);
 }
 
 } // namespace
