@@ -55,8 +55,8 @@ public:
 
     bool parse_error(std::size_t position, const std::string& /*token*/,
                      const nlohmann::json::exception& error) override {
-        problem_ = Error{ErrorCode::Malformed, jsonProblem(text_, error.id, position),
-                         lineAndColumn(text_, position)};
+        JsonProblem problem = jsonProblem(text_, error.id, position);
+        problem_ = Error{ErrorCode::Malformed, std::move(problem.message), std::move(problem.where)};
         return false;
     }
 

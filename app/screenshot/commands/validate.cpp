@@ -130,18 +130,24 @@ bool takeAway(PlainJson& document, const std::string& pointer) {
     return true;
 }
 
-/// The document; null where brackets go deeper than a scene's, because nlohmann-json writes by recursion.
-PlainJson shallowDocument(std::string_view text) {
+/// Whether brackets go deeper than a scene's: nlohmann-json writes by recursion.
+bool isTooDeep(std::string_view text) {
     constexpr int maxDepth = 32;
-    bool isTooDeep = false;
-    PlainJson document = PlainJson::parse(
-        text,
-        [&isTooDeep](int depth, PlainJson::parse_event_t, const PlainJson&) {
-            isTooDeep = isTooDeep || depth > maxDepth;
-            return !isTooDeep;
-        },
-        false);
-    return isTooDeep ? PlainJson() : document;
+    int depth = 0;
+    bool isInText = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '"')
+            isInText = !isInText;
+        else if (isInText && text[i] == '\\')
+            ++i;
+        else if (!isInText && (text[i] == '{' || text[i] == '['))
+            ++depth;
+        else if (!isInText && (text[i] == '}' || text[i] == ']'))
+            --depth;
+        if (depth > maxDepth)
+            return true;
+    }
+    return false;
 }
 
 /// Reading a scene ends with its first fault: it is read again without what was at fault, as long as that is
@@ -153,8 +159,8 @@ std::vector<Sentence> sceneFaults(std::string_view text) {
     std::string left;
     for (Result<Scene> scene = parseScene(text); !scene; scene = parseScene(left)) {
         faults.push_back(describe(scene.error()));
-        if (faults.size() == 1 && text.size() <= maxReadBytes)
-            document = shallowDocument(text);
+        if (faults.size() == 1 && text.size() <= maxReadBytes && !isTooDeep(text))
+            document = PlainJson::parse(text, nullptr, false);
         if (!document.is_object() || faults.size() == maxFaults || !takeAway(document, scene.error().where))
             break;
         left = document.dump(-1, ' ', false, PlainJson::error_handler_t::replace);
@@ -218,6 +224,8 @@ bool beginsAsJson(ByteView file) {
     constexpr std::string_view space = " \t\r\n";
     std::string_view text(reinterpret_cast<const char*>(file.data()),
                           std::min<std::size_t>(file.size(), 4096));
+    if (text.starts_with("\xEF\xBB\xBF"))
+        text.remove_prefix(3);
     text.remove_prefix(std::min(text.find_first_not_of(space), text.size()));
     return text.starts_with("{");
 }
@@ -278,13 +286,17 @@ std::string validityText(const std::vector<Validity>& all) {
 
 std::string validityJson(const std::vector<Validity>& all) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
-    for (const Validity& each : all)
+    for (const Validity& each : all) {
+        nlohmann::ordered_json faults = nlohmann::ordered_json::array();
+        for (const Sentence& fault : each.faults)
+            faults.push_back(placedMessageJson(fault));
         files.push_back({{"file", each.file},
                          {"valid", each.isValid()},
                          {"kind", each.kind},
                          {"drawn", each.drawn},
-                         {"faults", messagesJson(each.faults)},
+                         {"faults", std::move(faults)},
                          {"remarks", messagesJson(each.remarks)}});
+    }
     return documentText(std::move(files));
 }
 

@@ -80,19 +80,23 @@ Json messagesJson(std::span<const Sentence> messages) {
     return list;
 }
 
+Json placedMessageJson(const Sentence& message, std::string where) {
+    const Sentence* told = &message;
+    while (told->key() == describedKey.text &&
+           told->arguments().front().isName()) { // its place is told apart
+        where += (where.empty() ? "" : ": ") + told->arguments().front().english();
+        told = &told->arguments().back();
+    }
+    Json json = messageJson(*told);
+    json["where"] = std::move(where);
+    return json;
+}
+
 Json problemJson(const Error& problem) {
     constexpr std::array<std::string_view, 9> codes{"NotFound",  "Unreadable",  "Unwritable",
                                                     "Malformed", "Unsupported", "OutOfRange",
                                                     "TooLarge",  "Driver",      "Cancelled"};
-    std::string where = problem.where;
-    const Sentence* message = &problem.message;
-    while (message->key() == describedKey.text &&
-           message->arguments().front().isName()) { // its place is told apart
-        where += (where.empty() ? "" : ": ") + message->arguments().front().english();
-        message = &message->arguments().back();
-    }
-    Json json = messageJson(*message);
-    json["where"] = std::move(where);
+    Json json = placedMessageJson(problem.message, problem.where);
     json["code"] = codes[static_cast<std::size_t>(problem.code)];
     return json;
 }

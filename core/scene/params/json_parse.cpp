@@ -386,8 +386,8 @@ bool Reader::parse_error(std::size_t position, const std::string& token,
     if (problem.id == numberOverflow)
         return refuse(shortened(token));
 
-    error_ =
-        Error{ErrorCode::Malformed, jsonProblem(text_, problem.id, position), lineAndColumn(text_, position)};
+    JsonProblem found = jsonProblem(text_, problem.id, position);
+    error_ = Error{ErrorCode::Malformed, std::move(found.message), std::move(found.where)};
     return false;
 }
 

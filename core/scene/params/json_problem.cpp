@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace texplorer {
 namespace {
@@ -17,11 +19,12 @@ namespace {
 /// What may come next. "First": directly after a bracket, so that the other bracket may come as well.
 enum class Next { Value, FirstValue, Key, FirstKey, Colon, CommaInObject, CommaInArray, End };
 
-constexpr std::array expected{
+constexpr std::array expectedNext{
     N_("a value"),           N_("a value"),    N_("a key in quotes"), N_("a key in quotes"),
     N_("':' after the key"), N_("',' or '}'"), N_("',' or ']'"),      N_("the end of the file")};
 
-constexpr std::string_view digits = "0123456789";
+constexpr std::string_view decimalDigits = "0123456789";
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
 /// The word or sign at a place, printable: "'NaN'"; empty at the end.
 std::string wordAt(std::string_view text, std::size_t at) {
@@ -35,61 +38,117 @@ std::string wordAt(std::string_view text, std::size_t at) {
     return word.empty() ? std::string() : fmt::format("'{}'", shortened(word));
 }
 
-/// Of a text in quotes, the number of its bytes; or what is wrong with it.
-struct Lexeme {
-    std::size_t bytes = 0;
-    std::optional<Sentence> problem;
+/// What is wrong, and at which byte.
+struct Fault {
+    std::size_t at = 0;
+    Sentence message;
 };
 
-/// `position`: the library has stopped there if it is within the text.
-Lexeme textLexeme(std::string_view text, std::size_t at, std::size_t position) {
-    std::size_t end = at + 1;
-    while (end < text.size() && text[end] != '"')
-        end += text[end] == '\\' ? 2U : 1U;
-    if (end < text.size() && end < position && isUtf8(text.substr(at, end - at)))
-        return {end + 1 - at, {}};
-    if (position > text.size())
-        return {0, Sentence("the file ends in the middle of a text; expected a quote")};
-    position = std::max(position, at + 2);
-    const auto stopped = static_cast<unsigned char>(text[position - 1]);
-    if (!isUtf8(text.substr(at, position - 1 - at))) // a character is not complete
-        return {0, Sentence("expected UTF-8, found the byte {0:02X}",
-                            static_cast<unsigned char>(text[position - 2]))};
-    if (stopped >= 0x80)
-        return {0, Sentence("expected UTF-8, found the byte {0:02X}", stopped)};
-    if (stopped == '\n' || stopped == '\r')
-        return {0, Sentence("the line ends in the middle of a text; expected a quote")};
-    if (stopped < 0x20)
-        return {0, Sentence("expected \\u{0:04x} for a control character in a text", stopped)};
-    return {0, Sentence("expected an escape such as \\\" or \\u00e9, found {0}",
-                        ProperName{wordAt(text, position - 1)})};
-}
+/// Reads a text in quotes or a number.
+class Lexeme {
+public:
+    Lexeme(std::string_view text, std::size_t at)
+        : text_(text)
+        , end_(at) {}
 
-Lexeme numberLexeme(std::string_view text, std::size_t at) {
-    std::size_t end = at;
-    const auto skipped = [&](std::string_view any) {
-        const bool isThere = end < text.size() && any.find(text[end]) != std::string_view::npos;
-        end += isThere ? 1 : 0;
-        return isThere;
-    };
-    const auto someDigits = [&] {
-        const std::size_t begin = end;
-        end = std::min(text.find_first_not_of(digits, end), text.size());
-        return end > begin;
-    };
-    skipped("-");
-    bool isWhole = skipped("0") || someDigits();
-    if (isWhole && skipped("."))
-        isWhole = someDigits();
-    if (isWhole && skipped("eE")) {
-        skipped("+-");
-        isWhole = someDigits();
+    /// What is wrong with it; none: it ends before end().
+    std::optional<Fault> readText() {
+        for (++end_; !isEnd();) {
+            if (skipped("\""))
+                return std::nullopt;
+            if (const std::optional<Fault> fault = text_[end_] == '\\' ? readEscape() : readCharacter())
+                return fault;
+        }
+        return fault(Sentence("the file ends in the middle of a text; expected a quote"));
     }
-    if (isWhole)
-        return {end - at, {}};
-    return {0, end == text.size() ? Sentence("the file ends in the middle of a number; expected a digit")
-                                  : Sentence("expected a digit, found {0}", ProperName{wordAt(text, end)})};
-}
+
+    std::optional<Fault> readNumber() {
+        skipped("-");
+        bool isWhole = skipped("0") || readDigits();
+        if (isWhole && skipped("."))
+            isWhole = readDigits();
+        if (isWhole && skipped("eE")) {
+            skipped("+-");
+            isWhole = readDigits();
+        }
+        if (isWhole)
+            return std::nullopt;
+        return fault(isEnd() ? Sentence("the file ends in the middle of a number; expected a digit")
+                             : Sentence("expected a digit, found {0}", ProperName{wordAt(text_, end_)}));
+    }
+
+    [[nodiscard]] std::size_t end() const { return end_; }
+
+private:
+    bool isEnd() const { return end_ >= text_.size(); }
+
+    Fault fault(Sentence message) const { return {end_, std::move(message)}; }
+
+    bool skipped(std::string_view any) {
+        const bool isThere = !isEnd() && any.find(text_[end_]) != std::string_view::npos;
+        end_ += isThere ? 1 : 0;
+        return isThere;
+    }
+
+    bool readDigits() {
+        const std::size_t begin = end_;
+        end_ = std::min(text_.find_first_not_of(decimalDigits, end_), text_.size());
+        return end_ > begin;
+    }
+
+    std::optional<Fault> readCharacter() {
+        const auto byte = static_cast<unsigned char>(text_[end_]);
+        if (byte == '\n' || byte == '\r')
+            return fault(Sentence("the line ends in the middle of a text; expected a quote"));
+        if (byte < 0x20)
+            return fault(Sentence("expected \\u{0:04x} for a control character in a text", byte));
+        const std::size_t bytes = firstCharacter(text_.substr(end_, 4)).bytes;
+        if (bytes == 0)
+            return fault(Sentence("expected UTF-8, found the byte {0:02X}", byte));
+        end_ += bytes;
+        return std::nullopt;
+    }
+
+    std::optional<Fault> readEscape() {
+        const std::size_t begin = end_++;
+        if (skipped("\"\\/bfnrt"))
+            return std::nullopt;
+        if (!skipped("u"))
+            return isEnd() ? fault(Sentence("the file ends in the middle of a text; expected a quote"))
+                           : fault(Sentence("expected an escape such as \\\" or \\u00e9, found {0}",
+                                            ProperName{wordAt(text_, end_)}));
+        const std::optional<unsigned> first = readUnit();
+        if (!first)
+            return fault(Sentence("expected four hexadecimal digits after \\u"));
+        if (*first < 0xD800 || *first > 0xDFFF)
+            return std::nullopt;
+        if (*first <= 0xDBFF && skipped("\\") && skipped("u")) {
+            const std::optional<unsigned> second = readUnit();
+            if (!second)
+                return fault(Sentence("expected four hexadecimal digits after \\u"));
+            if (*second >= 0xDC00 && *second <= 0xDFFF)
+                return std::nullopt;
+        }
+        return Fault{begin, Sentence("expected a surrogate pair, such as \\ud83d\\ude00, found one half")};
+    }
+
+    /// Four hexadecimal digits.
+    std::optional<unsigned> readUnit() {
+        unsigned unit = 0;
+        for (int i = 0; i < 4; ++i) {
+            const std::size_t begin = end_;
+            if (!skipped("0123456789abcdefABCDEF"))
+                return std::nullopt;
+            unsigned digit = 0;
+            std::from_chars(text_.data() + begin, text_.data() + end_, digit, 16);
+            unit = unit * 16 + digit;
+        }
+        return unit;
+    }
+
+    std::string_view text_;
+    std::size_t end_;
+};
 
 /// One of the words of JSON; empty: another one.
 std::string_view literalAt(std::string_view text, std::size_t at) {
@@ -103,24 +162,23 @@ std::string_view literalAt(std::string_view text, std::size_t at) {
 /// Reads a text as far as it is JSON.
 class FaultReader {
 public:
-    FaultReader(std::string_view text, std::size_t position)
+    explicit FaultReader(std::string_view text)
         : text_(text)
-        , position_(position)
-        , at_(text.starts_with("\xEF\xBB\xBF") ? 3 : 0) {}
+        , at_(text.starts_with(byteOrderMark) ? byteOrderMark.size() : 0) {}
 
-    Sentence problem() {
+    Fault fault() {
         for (;;) {
             at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size());
             if (at_ == text_.size())
-                return ended();
-            if (const std::optional<Sentence> problem = step())
-                return *problem;
+                return {at_, ended()};
+            if (std::optional<Fault> fault = step())
+                return *std::move(fault);
         }
     }
 
 private:
     Sentence ended() const {
-        const char* what = expected[static_cast<std::size_t>(next_)];
+        const char* what = expectedNext[static_cast<std::size_t>(next_)];
         if (brackets_.empty())
             return next_ == Next::End ? Sentence("expected JSON")
                                       : Sentence("the file ends; expected {0}", what);
@@ -128,49 +186,51 @@ private:
                         brackets_.back() == '{' ? N_("an object") : N_("an array"), what);
     }
 
-    Sentence refused(const Sentence& found) const {
-        return Sentence("expected {0}, found {1}", expected[static_cast<std::size_t>(next_)], found);
+    Fault refused(const Sentence& found) const {
+        return {at_,
+                Sentence("expected {0}, found {1}", expectedNext[static_cast<std::size_t>(next_)], found)};
     }
 
     /// Reads a token.
-    std::optional<Sentence> step() {
+    std::optional<Fault> step() {
         const char sign = text_[at_];
         const bool isValue = next_ == Next::Value || next_ == Next::FirstValue;
         const bool isKey = next_ == Next::Key || next_ == Next::FirstKey;
+        Lexeme lexeme(text_, at_);
         if (sign == '"') {
-            const Lexeme token = textLexeme(text_, at_, position_);
-            if (token.problem || (!isValue && !isKey))
-                return token.problem ? *token.problem : refused(N_("a text in quotes"));
-            if (position_ == at_ + token.bytes) // else the library reads on
-                return Sentence("expected a surrogate pair, such as \\ud83d\\ude00, found one half");
-            return pass(token.bytes, isKey ? Next::Colon : afterValue());
+            if (!isValue && !isKey)
+                return refused(N_("a text in quotes"));
+            if (std::optional<Fault> fault = lexeme.readText())
+                return fault;
+            return pass(lexeme.end(), isKey ? Next::Colon : afterValue());
         }
-        if (sign == '-' || digits.find(sign) != std::string_view::npos) {
-            const Lexeme token = numberLexeme(text_, at_);
-            if (token.problem || !isValue)
-                return token.problem ? *token.problem : refused(N_("a number"));
-            return pass(token.bytes, afterValue());
+        if (sign == '-' || decimalDigits.find(sign) != std::string_view::npos) {
+            if (!isValue)
+                return refused(N_("a number"));
+            if (std::optional<Fault> fault = lexeme.readNumber())
+                return fault;
+            return pass(lexeme.end(), afterValue());
         }
         if (isValue && (sign == '{' || sign == '[')) {
             brackets_ += sign;
-            return pass(1, sign == '{' ? Next::FirstKey : Next::FirstValue);
+            return pass(at_ + 1, sign == '{' ? Next::FirstKey : Next::FirstValue);
         }
         if ((sign == '}' && (next_ == Next::FirstKey || next_ == Next::CommaInObject)) ||
             (sign == ']' && (next_ == Next::FirstValue || next_ == Next::CommaInArray))) {
             brackets_.pop_back();
-            return pass(1, afterValue());
+            return pass(at_ + 1, afterValue());
         }
         if (sign == ':' && next_ == Next::Colon)
-            return pass(1, Next::Value);
+            return pass(at_ + 1, Next::Value);
         if (sign == ',' && (next_ == Next::CommaInObject || next_ == Next::CommaInArray))
-            return pass(1, next_ == Next::CommaInObject ? Next::Key : Next::Value);
+            return pass(at_ + 1, next_ == Next::CommaInObject ? Next::Key : Next::Value);
         if (const std::string_view literal = literalAt(text_, at_); isValue && !literal.empty())
-            return pass(literal.size(), afterValue());
+            return pass(at_ + literal.size(), afterValue());
         return refused(ProperName{wordAt(text_, at_)});
     }
 
-    std::optional<Sentence> pass(std::size_t bytes, Next next) {
-        at_ += bytes;
+    std::optional<Fault> pass(std::size_t end, Next next) {
+        at_ = end;
         next_ = next;
         return std::nullopt;
     }
@@ -182,7 +242,6 @@ private:
     }
 
     std::string_view text_;
-    std::size_t position_;
     std::size_t at_;
     Next next_ = Next::Value;
     std::string brackets_; ///< that are open
@@ -190,17 +249,19 @@ private:
 
 } // namespace
 
-Sentence jsonProblem(std::string_view text, int exception, std::size_t position) {
+JsonProblem jsonProblem(std::string_view text, int exception, std::size_t position) {
     constexpr int numberOverflow = 406;
-    if (exception == numberOverflow)
-        return N_("expected a smaller number");
-    return FaultReader(text, position).problem();
-}
-
-std::string lineAndColumn(std::string_view text, std::size_t position) {
-    const std::string_view read = text.substr(0, position);
-    const std::size_t line = read.rfind('\n') + 1; // 0 where there is none
-    return fmt::format("line {}, column {}", 1 + std::ranges::count(read, '\n'), position - line);
+    const Fault fault = exception == numberOverflow
+                            ? Fault{std::max<std::size_t>(position, 1) - 1, "expected a smaller number"}
+                            : FaultReader(text).fault();
+    const std::string_view before = text.substr(0, fault.at);
+    const std::size_t begin = before.rfind('\n') + 1; // 0 where there is none
+    std::string_view line = before.substr(begin);
+    if (begin == 0 && line.starts_with(byteOrderMark))
+        line.remove_prefix(byteOrderMark.size());
+    const auto isFirstByte = [](char each) { return (static_cast<unsigned char>(each) & 0xC0U) != 0x80U; };
+    return {fault.message, fmt::format("line {}, column {}", 1 + std::ranges::count(before, '\n'),
+                                       1 + std::ranges::count_if(line, isFirstByte))};
 }
 
 } // namespace texplorer

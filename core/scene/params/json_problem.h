@@ -8,12 +8,14 @@
 
 namespace texplorer {
 
-/// Says what is wrong with a text that the JSON library refuses, which was expected and which was found:
-/// "expected a key in quotes, found '}'". `exception` is the library's ID of the error, `position` the number
-/// of bytes that it has read; the text is read once again up to there.
-[[nodiscard]] Sentence jsonProblem(std::string_view text, int exception, std::size_t position);
+/// What is wrong with a text that the JSON library refuses.
+struct JsonProblem {
+    Sentence message;  ///< "expected a key in quotes, found '}'"
+    std::string where; ///< "line 2, column 5", both counted from 1, the column in characters
+};
 
-/// The place of the byte before `position`: "line 2, column 5", the column in bytes.
-[[nodiscard]] std::string lineAndColumn(std::string_view text, std::size_t position);
+/// Reads a text once again, up to what is wrong. `exception` is the library's ID of its error, `position` the number of
+/// bytes that it has read: for a number that is too large, which is no fault of the text.
+[[nodiscard]] JsonProblem jsonProblem(std::string_view text, int exception, std::size_t position);
 
 } // namespace texplorer

@@ -398,7 +398,7 @@ class Shots(Texshot):
         at = good.index(b"iTXt")
         cases = [
             ("expected a scene, found a PNG without a scene", plain),
-            ("line 1, column 3", with_chunks(plain, chunk(b"tEXt", keyword + b"{nonsense"))),
+            ("line 1, column 2", with_chunks(plain, chunk(b"tEXt", keyword + b"{nonsense"))),
             ("holds more than 16777216 bytes", with_chunks(plain, chunk(b"zTXt", keyword + b"\0" + bomb))),
             ("the zlib stream is damaged", with_chunks(plain, chunk(b"zTXt", keyword + b"\0" + zlib.compress(b"{}" * 99)[:-3]))),
             ("expected compression method 0", with_chunks(plain, chunk(b"zTXt", keyword + b"\7" + bomb[:90]))),

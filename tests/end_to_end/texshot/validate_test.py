@@ -131,7 +131,7 @@ class Validate(Texshot):
             "version": 1, "view": {"distanc": 1, "target": [0, "x", 0]}, "textures": [{"wrapS": "GL_CLAMPED", "wrapT": 3}, {}],
             "passes": [{"units": [{"textur": 0}]}]}).encode())
         told = results(texshot("validate", "--json", wrong).stdout)[0]
-        self.assertEqual(sorted(fault["message"].split(": ")[0] for fault in told["faults"]),
+        self.assertEqual(sorted(fault["where"] for fault in told["faults"]),
                          ["/passes/0/units/0/textur", "/textures/0/wrapS", "/textures/0/wrapT", "/view/distanc",
                           "/view/target/1"])
 
