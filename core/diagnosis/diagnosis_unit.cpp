@@ -108,12 +108,12 @@ void collapsingMatrix(const Case& about, Report& report) {
             if (step.op != MatrixOp::Scale)
                 continue;
             std::vector<Sentence> collapsed;
-            std::string mended;
+            std::string factors;
             for (int axis = 0; axis < 3; ++axis) {
                 const bool zero = step.amount[axis] == 0 && step.rate[axis] == 0;
                 if (zero && axis < coordinatesOf(unit.target))
                     collapsed.emplace_back(ProperName{letters.substr(static_cast<std::size_t>(axis), 1)});
-                mended += (axis > 0 ? "," : "") + std::string(zero ? "1" : formatNumber(step.amount[axis]));
+                factors += (axis > 0 ? "," : "") + std::string(zero ? "1" : formatNumber(step.amount[axis]));
             }
             if (!collapsed.empty())
                 report.add(
@@ -121,7 +121,7 @@ void collapsingMatrix(const Case& about, Report& report) {
                     Sentence(
                         "a scale of 0 gives all vertices the same {0}: the image shrinks to a line or a texel",
                         Sentence::joined("{0} and {1}", collapsed)),
-                    Fix{N_("Scale by 1"), {{amount, mended}}});
+                    Fix{N_("Scale by 1"), {{amount, factors}}});
         }
     });
 }

@@ -332,6 +332,13 @@ ExitCode refuseOptions(const TestOptions& options) {
     return success;
 }
 
+/// Whether a text is the document of an earlier call of this command, without results.
+bool isErrorOfTest(const std::string& text) {
+    const auto document = nlohmann::json::parse(text, nullptr, false);
+    return document.is_object() && document.value("results", nlohmann::json()) == nlohmann::json::array() &&
+           document.value("command", nlohmann::json()) == "test";
+}
+
 /// Where --json names a file, a call that fails says so there, too: in the place of a record or an error, of
 /// nothing else.
 void writeError(const TestOptions& options) {
@@ -339,7 +346,7 @@ void writeError(const TestOptions& options) {
     if (error.empty() || options.json.empty() || isStandardOutput(options.json))
         return;
     const Result<std::string> there = readText(options.json, suite::maxRecordBytes);
-    const bool isOurs = there ? there->starts_with("{\n  \"texshot\":") || suite::parseRun(*there).has_value()
+    const bool isOurs = there ? isErrorOfTest(*there) || suite::parseRun(*there).has_value()
                               : there.error().code == ErrorCode::NotFound;
     if (!isOurs)
         return;

@@ -34,7 +34,7 @@ std::vector<Sentence> sentencesOf(const Session& session, const Pictures& pictur
             sentences.push_back(sentence);
     };
     for (const Sentence& problem : pictures.problems) {
-        if (problem.key() == N_("{0}: {1}") && problem.arguments()[0] == where)
+        if (problem.key() == describedKey.text && problem.arguments()[0] == where)
             add(problem.arguments()[1]);
     }
     if (summary) {

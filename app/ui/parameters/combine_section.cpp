@@ -77,7 +77,7 @@ std::string inWords(const Combine& combine, const Half& half, std::string_view e
 }
 
 void drawEquation(const Session& session, const Combine& combine, const Half& half) {
-    const bool isAlpha = half.suffix == N_("Alpha");
+    const bool isAlpha = half.suffix == "Alpha";
     if (isAlpha && combine.rgb == CombineRgb::Dot3Rgba) {
         wrappedText(Sentence("= the dot product of the colours: {0} overrides the rows below except the "
                              "scale.",

@@ -31,7 +31,7 @@ bool ownsArrows(const Session& session, const Layout& layout) {
     if (context.HoveredWindow || !context.NavWindow)
         return false;
     const std::string_view used = context.NavWindow->RootWindow->Name;
-    return used == N_("View") || used == rowOf(dock).window;
+    return used == "View" || used == rowOf(dock).window;
 }
 
 } // namespace

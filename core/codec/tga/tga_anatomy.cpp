@@ -270,7 +270,7 @@ Fields describeExtension(ByteView file, const Footer& footer) {
     add(N_("Scan Line Offset"), offset32);
     add(
         N_("Attributes Type"), [](ByteReader& r) { return std::to_string(r.u8()); }, N_("meaning of alpha"));
-    if (Field& last = fields.back(); last.name == N_("Attributes Type")) {
+    if (Field& last = fields.back(); last.name == "Attributes Type") {
         const int type = std::to_integer<int>(bytesOf(last, file).front());
         last.meaning = attributesMeaning(type);
         if (type > 4)

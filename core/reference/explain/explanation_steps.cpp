@@ -142,9 +142,9 @@ Step environmentStep(const UnitExplanation& unit) {
     input(N_("Cp, Ap: incoming"), unit.inputs.previous);
     input(N_("Cs, As: texture"), unit.inputs.source);
     const std::string written = unit.equations.color.symbols + unit.equations.alpha.symbols;
-    if (written.find(N_("Cc")) != std::string::npos || written.find(N_("Ac")) != std::string::npos)
+    if (written.find("Cc") != std::string::npos || written.find("Ac") != std::string::npos)
         input(N_("Cc, Ac: constant"), unit.inputs.constant);
-    if (written.find(N_("Cf")) != std::string::npos || written.find(N_("Af")) != std::string::npos)
+    if (written.find("Cf") != std::string::npos || written.find("Af") != std::string::npos)
         input(N_("Cf, Af: primary"), unit.inputs.primary);
     step.rows.push_back({unit.equations.color.symbols, {}, {}, false, Ink::Dim});
     for (std::size_t i = 0; i < unit.equations.color.numbers.size(); ++i)

@@ -157,6 +157,10 @@ class Calls(Texshot):
         mine.write_text("{}")
         texshot("test", self.path / "nowhere.suite.json", "--json", mine)
         self.assertEqual(mine.read_text(), "{}", "it may be what the suite would read")
+        mine.write_bytes(self.succeeds("check", "--json"))  # another command's, which isn't lost
+        before = mine.read_bytes()
+        texshot("test", self.path / "nowhere.suite.json", "--json", mine)
+        self.assertEqual(mine.read_bytes(), before)
 
     def test_names_in_capitals_and_lists(self):
         small = ("--size", "16x16")
