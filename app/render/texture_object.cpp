@@ -190,12 +190,15 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
     const std::size_t slowness = levels.driverFormat ? driverSlowness : 1;
     std::size_t left = std::max<std::size_t>(1, bytes / slowness);
     glBindTexture(target_, handle_.name());
+    // The driver makes no levels of cube faces that it refuses.
+    const bool driverMakes = levels.madeByDriver && !levels.levels.empty() &&
+                             isAccepted(target, levels.levels.front(), levels.border);
     if (cursor.level == 0 && cursor.row == 0 &&
         !levels.levels.empty()) // otherwise Mesa allocates all levels that fit
         glTexParameteri(target_, GL_TEXTURE_MAX_LEVEL, levels.levels.back().number);
     while (left > 0 && cursor.level < levels.levels.size()) {
         const TextureLevel& level = levels.levels[cursor.level];
-        if (!isAccepted(target, level, levels.border)) {
+        if ((driverMakes && level.number > 0) || !isAccepted(target, level, levels.border)) {
             ++cursor.level;
             continue;
         }
@@ -229,7 +232,12 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
         errors.check(Sentence("{0}: {1}", ProperName{where},
                               Sentence("{0} level {1}", ProperName{call}, level.number)));
     }
-    return cursor.level == levels.levels.size();
+    const bool isWhole = cursor.level == levels.levels.size();
+    if (isWhole && driverMakes) {
+        glGenerateMipmap(target_);
+        errors.check(Sentence("{0}: {1}", ProperName{where}, ProperName{"glGenerateMipmap"}));
+    }
+    return isWhole;
 }
 
 void TextureObject::apply(const Texture& texture, float maxAnisotropy, std::string_view where,

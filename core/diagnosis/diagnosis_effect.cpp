@@ -288,11 +288,11 @@ void unused(const Case& about, Report& report) {
         unless(cached || texture.compression == Compression::Driver, keyOf<&Texture::compressedFormat>(),
                named(texture.compression));
         unless(cached, keyOf<&Texture::compressionQuality>(), named(texture.compression));
-        const bool averages =
-            texture.mipmaps == MipPolicy::Generated || texture.mipmaps == MipPolicy::Missing;
-        unless(averages, keyOf<&Texture::mipFilter>(), named(texture.mipmaps));
-        unless(averages, keyOf<&Texture::mipGamma>(), named(texture.mipmaps));
-        unless(texture.mipmaps != MipPolicy::FromFile, keyOf<&Texture::npot>(), named(texture.mipmaps));
+        const bool filters = texture.mipmaps == MipPolicy::Generated || texture.mipmaps == MipPolicy::Missing;
+        unless(filters, keyOf<&Texture::mipFilter>(), named(texture.mipmaps));
+        unless(filters, keyOf<&Texture::mipGamma>(), named(texture.mipmaps));
+        unless(texture.mipmaps != MipPolicy::FromFile && texture.mipmaps != MipPolicy::Glu,
+               keyOf<&Texture::npot>(), named(texture.mipmaps));
         for (std::size_t k = 0; k < texture.levels.size(); ++k) {
             const GivenLevel& level = texture.levels[k];
             const std::string owner = elementOf<&Texture::levels>(k) + ".";

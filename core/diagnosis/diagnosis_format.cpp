@@ -89,9 +89,8 @@ void decodedOnly(const Case& about, Report& report) {
 
 void averagedAsStored(const Case& about, Report& report) {
     forEachShown(about, [&](const Texture& texture, const TextureFacts&, const std::string& path) {
-        const bool averages =
-            texture.mipmaps == MipPolicy::Generated || texture.mipmaps == MipPolicy::Missing;
-        if (isSrgb(texture.internalFormat) && averages && !texture.mipGamma &&
+        const bool filters = texture.mipmaps == MipPolicy::Generated || texture.mipmaps == MipPolicy::Missing;
+        if (isSrgb(texture.internalFormat) && filters && !texture.mipGamma &&
             reference::wantsMipmaps(texture.minFilter))
             report.add(path + keyOf<&Texture::mipGamma>(),
                        Sentence("the levels are averages of stored numbers, not of the amounts of light that "

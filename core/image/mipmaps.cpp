@@ -208,6 +208,9 @@ MipChain mipLevelsAbove(MipPolicy policy, const Image& base, const MipOptions& o
     switch (policy) {
     case MipPolicy::Generated:
     case MipPolicy::Missing:
+    case MipPolicy::GenerateMipmap:
+    case MipPolicy::OnUpload:
+    case MipPolicy::Glu:
         return levelsAbove(base, [&](const Image& above, int) { return nextLevel(above, options); });
     case MipPolicy::Colored:
         return levelsAbove(base, flatLevel);

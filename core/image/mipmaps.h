@@ -6,7 +6,17 @@
 
 namespace texplorer {
 
-enum class MipPolicy : std::uint32_t { None, FromFile, Generated, Colored, Missing, Given };
+enum class MipPolicy : std::uint32_t {
+    None,
+    FromFile,
+    Generated,
+    Colored,
+    Missing,
+    Given,
+    GenerateMipmap,
+    OnUpload,
+    Glu
+};
 
 inline constexpr std::array mipPolicyRows{
     row(MipPolicy::None, "none", "None",
@@ -24,6 +34,14 @@ inline constexpr std::array mipPolicyRows{
     row(MipPolicy::Given, "given", "One by one",
         "A separate image for each level. The texture is incomplete if one is missing or does not have "
         "half the size of the one before it."),
+    row(MipPolicy::GenerateMipmap, "glGenerateMipmap", "glGenerateMipmap",
+        "The driver makes the levels after the upload of the base, usually with a box filter. A function of "
+        "OpenGL 3.0 and GL_ARB_framebuffer_object."),
+    row(MipPolicy::OnUpload, "GL_GENERATE_MIPMAP", "GL_GENERATE_MIPMAP",
+        "The parameter of a texture that makes the driver make the levels with every upload of the base. "
+        "OpenGL 3.1 removed it."),
+    row(MipPolicy::Glu, "gluBuild2DMipmaps", "gluBuild2DMipmaps",
+        "GLU scales the image to powers of two, makes the levels with a box filter and uploads all of them."),
 };
 
 template<>
@@ -31,7 +49,18 @@ struct EnumTable<MipPolicy> {
     static constexpr std::span<const EnumRow> rows = mipPolicyRows;
 };
 
-static_assert(mipPolicyRows.size() == 6);
+static_assert(mipPolicyRows.size() == 9);
+
+/// Whether OpenGL makes the levels above the base.
+[[nodiscard]] constexpr bool isMadeByDriver(MipPolicy policy) {
+    return policy == MipPolicy::GenerateMipmap || policy == MipPolicy::OnUpload;
+}
+
+/// Whether levels are averages of the ones before them.
+[[nodiscard]] constexpr bool averages(MipPolicy policy) {
+    return policy == MipPolicy::Generated || policy == MipPolicy::Missing || policy == MipPolicy::Glu ||
+           isMadeByDriver(policy);
+}
 
 /// The number of levels of a complete chain: floor(log2(largest extent)) + 1 (OpenGL 2.1, section 3.8.8).
 [[nodiscard]] int mipLevelCount(int width, int height, int depth = 1);
@@ -44,8 +73,8 @@ static_assert(mipPolicyRows.size() == 6);
 [[nodiscard]] MipChain buildMipChain(Image base, const MipOptions& options = {});
 
 /// Returns the chain of a policy: the base alone (None; FromFile and Given, as a picture has one level), the
-/// generated chain (Missing too: the upload leaves out `missingLevel`), or plain mipColor(level) above the
-/// base.
+/// generated chain (Missing too: the upload leaves out `missingLevel`; those that a driver or GLU makes have
+/// the box filter), or plain mipColor(level) above the base.
 [[nodiscard]] MipChain applyMipPolicy(MipPolicy policy, Image base, const MipOptions& options = {});
 
 /// The same without the base, to avoid a copy. The base is used as it is; `options.npot` is ignored.

@@ -19,7 +19,8 @@ Result<TextureLevels> run(const Texture& texture, const TexturePictures& picture
         return fail(ErrorCode::Malformed, "the image is empty");
     try {
         Result<TextureLevels> made = LevelMaker(texture, pictures, target, work, lends).run();
-        if (made && settingsFor(texture, image).mipmaps != texture.mipmaps)
+        const bool wanted = texture.mipmaps != MipPolicy::None;
+        if (made && wanted && settingsFor(texture, image).mipmaps == MipPolicy::None)
             made->notes.emplace_back(N_("a shadow map has no mip levels: there is only a base level"));
         return made;
     } catch (const std::bad_alloc&) {

@@ -39,6 +39,9 @@ struct TextureLevels {
     /// Of levels that are uploaded as pixels and not compressed.
     InternalFormat internalFormat = InternalFormat::Rgba;
     std::optional<BlockFormat> driverFormat; ///< the format that the driver compresses to
+    /// The upload leaves the levels above the base to the driver. These are the same but for its rounding,
+    /// and for its weights where an extent is odd.
+    bool madeByDriver = false;
     /// The source of compressed levels, in the same order, to measure the loss. Empty if nothing was
     /// compressed here.
     MipChain source;

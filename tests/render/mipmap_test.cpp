@@ -2,11 +2,13 @@
 // specification. The texture has 64 x 64 texels and the coloured mip set, so that the colour says the level.
 
 #include "app/render/gl_handle.h"
+#include "app/render/texture_object.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
 #include "texplorer/image/mip_colors.h"
 #include "texplorer/image/mipmaps.h"
 #include "texplorer/image/patterns/pattern.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <glm/common.hpp>
 #include <gmock/gmock.h>
@@ -265,6 +267,91 @@ INSTANTIATE_TEST_SUITE_P(All, MipChainOracle,
                          testing::Values(ChainCase{"Square", 64, 64, 7}, ChainCase{"Wide", 128, 8, 8},
                                          ChainCase{"Tall", 4, 64, 7}, ChainCase{"Line", 32, 1, 6}),
                          [](const auto& test) { return std::string(test.param.name); });
+
+/// Random texels, the same with every call.
+TextureImage noise(int width, int height) {
+    Image image = Image::uninitialised(PixelFormat::Rgba8, width, height);
+    unsigned state = 12345;
+    for (std::byte& each : image.pixels) {
+        state = state * 1664525U + 1013904223U; // the generator of "Numerical Recipes"
+        each = static_cast<std::byte>(state >> 24);
+    }
+    return textureOf(std::move(image), {});
+}
+
+int largestDifference(const Image& one, const Image& other) {
+    int largest = 0;
+    for (std::size_t i = 0; i < one.pixels.size(); ++i)
+        largest = std::max(
+            largest, std::abs(std::to_integer<int>(one.pixels[i]) - std::to_integer<int>(other.pixels[i])));
+    return largest;
+}
+
+struct DriverCase {
+    const char* name;
+    MipPolicy policy;
+    InternalFormat format;
+    int width, height;
+};
+
+class DriverMipmaps : public RenderTest, public testing::WithParamInterface<DriverCase> {
+protected:
+    /// What OpenGL itself makes of the base, by the call or the parameter of the policy.
+    static std::vector<Image> chainOf(const Image& base) {
+        const render::TextureHandle texture = render::TextureHandle::create();
+        glBindTexture(GL_TEXTURE_2D, texture.name());
+        const bool onUpload = GetParam().policy == MipPolicy::OnUpload;
+        glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, onUpload ? GL_TRUE : GL_FALSE);
+        const bool isSrgbFormat = isSrgb(GetParam().format);
+        glTexImage2D(GL_TEXTURE_2D, 0, isSrgbFormat ? GL_SRGB8_ALPHA8 : GL_RGBA8, base.width, base.height, 0,
+                     GL_RGBA, GL_UNSIGNED_BYTE, base.pixels.data());
+        if (!onUpload)
+            glGenerateMipmap(GL_TEXTURE_2D);
+        std::vector<Image> chain;
+        for (int level = 0; level < mipLevelCount(base.width, base.height); ++level) {
+            Image image = Image::uninitialised(PixelFormat::Rgba8, std::max(1, base.width >> level),
+                                               std::max(1, base.height >> level));
+            glGetTexImage(GL_TEXTURE_2D, level, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+            chain.push_back(std::move(image));
+        }
+        EXPECT_EQ(glGetError(), unsigned{GL_NO_ERROR});
+        return chain;
+    }
+};
+
+// The object's levels are the driver's own, byte for byte; those that other renderers have differ by its
+// rounding, once for each level.
+TEST_P(DriverMipmaps, AreWhatTheDriverMakes) {
+    const DriverCase& row = GetParam();
+    Texture texture;
+    texture.mipmaps = row.policy;
+    texture.internalFormat = row.format;
+    texture.mipFilter = MipFilter::Cubic; // has no effect
+    const TextureImage image = noise(row.width, row.height);
+    const Result<TextureLevels> levels = prepareLevels(texture, image);
+    ASSERT_TRUE(levels);
+    GlErrors errors;
+    const render::TextureObject object(Target::Texture2D, *levels, "test", errors);
+    EXPECT_THAT(errors.sentences(), testing::IsEmpty());
+    const std::vector<Image> expected = chainOf(std::get<Image>(*levels->levels.front().surface));
+    const Result<std::vector<TextureLevel>> found = object.read();
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->size(), expected.size());
+    ASSERT_EQ(levels->levels.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        const Image& made = std::get<Image>(*(*found)[i].surface);
+        EXPECT_EQ(made, expected[i]) << "level " << i;
+        EXPECT_LE(largestDifference(made, std::get<Image>(*levels->levels[i].surface)), static_cast<int>(i))
+            << "level " << i;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, DriverMipmaps,
+    testing::Values(DriverCase{"Call", MipPolicy::GenerateMipmap, InternalFormat::Rgba, 64, 16},
+                    DriverCase{"Parameter", MipPolicy::OnUpload, InternalFormat::Rgba, 16, 64},
+                    DriverCase{"Srgb", MipPolicy::GenerateMipmap, InternalFormat::Srgb8Alpha8, 32, 32}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
 } // namespace texplorer::mipmap_test

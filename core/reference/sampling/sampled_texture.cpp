@@ -3,6 +3,7 @@
 #include "texplorer/image/convert.h"
 #include "texplorer/image/depth_pixels.h"
 #include "texplorer/image/linear_light.h"
+#include "texplorer/image/power_of_two.h"
 #include "texplorer/image/stored_numbers.h"
 #include "texplorer/s3tc/decode.h"
 #include "texplorer/s3tc/encode.h"
@@ -158,6 +159,12 @@ Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevel
     if (levels.driverFormat)
         notes.push_back(Sentence("drivers compress differently: compressed to {0} by Texplorer's encoder",
                                  ProperName{rowOf(*levels.driverFormat).name}));
+    const auto isOdd = [](const TextureLevel& level) {
+        return !arePowersOfTwo(widthOf(*level.surface), heightOf(*level.surface), depthOf(*level.surface));
+    };
+    if (levels.madeByDriver && levels.border == 0 && std::ranges::any_of(levels.levels, isOdd))
+        notes.push_back(
+            Sentence("drivers halve odd sizes differently: levels made with Texplorer's box filter"));
     setParameters(sampled, texture, levels.lastLevel);
     return sampled;
 }
