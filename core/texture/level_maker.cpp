@@ -40,7 +40,7 @@ Texture settingsFor(const Texture& texture, const TextureImage& image) {
         settings.npot = NpotPolicy::PowerOfTwo;
     if (texture.mipmaps == MipPolicy::Glu || isMadeByDriver(texture.mipmaps)) {
         settings.mipFilter = MipFilter::Box;
-        settings.mipGamma = false;
+        settings.mipGamma = isMadeByDriver(texture.mipmaps) && isSrgb(texture.internalFormat);
     }
     if (!areDepths(image) || !isDepth(texture.internalFormat))
         return settings;

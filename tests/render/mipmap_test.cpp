@@ -330,7 +330,7 @@ TEST_P(DriverMipmaps, AreWhatTheDriverMakes) {
     const TextureImage image = noise(row.width, row.height);
     const Result<TextureLevels> levels = prepareLevels(texture, image);
     ASSERT_TRUE(levels);
-    GlErrors errors;
+    render::GlErrors errors;
     const render::TextureObject object(Target::Texture2D, *levels, "test", errors);
     EXPECT_THAT(errors.sentences(), testing::IsEmpty());
     const std::vector<Image> expected = chainOf(std::get<Image>(*levels->levels.front().surface));
