@@ -89,8 +89,7 @@ bool answered(ui::Session& session, const FileRequests& host, Dialog dialog) {
         saveOrder(session, host, sheetFileOf(session));
         return true;
     case Dialog::SaveProgram:
-        saveOrder(session, host,
-                  ui::programOrder(session, ui::programFileName(session.document, session.asking.flavour)));
+        saveOrder(session, host, ui::programOrder(session, ui::programFileName(session.document)));
         return true;
     case Dialog::SaveRecording:
         saveOrder(session, host, animationFileOf(session));

@@ -63,7 +63,6 @@ struct Emission {
     bool needsNormals;                                              ///< some pass is lit or reflects
     bool hasLightExtent = false;                                    ///< a constant of the program
     bool isCore = false;             ///< OpenGL 3.3 without what it took from OpenGL 2.1
-    bool isWeb = false;              ///< and WebGL 2
     std::set<std::size_t> leftOut{}; ///< of the objects: nothing shows them
     bool moves = false;              ///< draw() is given the seconds since the start
     bool inFrame = false;            ///< what is written is done in every frame, after the camera's calls
@@ -93,9 +92,6 @@ struct Emission {
 [[nodiscard]] Result<std::vector<Line>> glslProgram(const Scene& scene, const ImageSource& images,
                                                     const ProgramOptions& options, TextureCodes& codes,
                                                     KeyFrames& keys);
-[[nodiscard]] Result<std::vector<Line>> webGlProgram(const Scene& scene, const ImageSource& images,
-                                                     const ProgramOptions& options, TextureCodes& codes,
-                                                     KeyFrames& keys);
 
 /// Keys, what they say at a time, and the variables that hold it: before everything that is done in a frame.
 void writeKeyFrames(Emission& emission);

@@ -19,20 +19,16 @@ namespace {
 struct EasingFunction {
     Easing easing;
     std::string_view name;
-    std::string_view c;
-    std::string_view js;
+    std::string_view body;
     std::string_view what;
 };
 constexpr std::array easingFunctions{
-    EasingFunction{Easing::Hold, "hold", "(void)share;\n    return 0;", "0",
-                   "it jumps when the next key comes"},
-    EasingFunction{Easing::Linear, "linear", "return share;", "share", "the same speed all the way"},
-    EasingFunction{Easing::EaseIn, "easeIn", "return share * share;", "share * share",
-                   "it begins to move slowly"},
-    EasingFunction{Easing::EaseOut, "easeOut", "return share * (2 - share);", "share * (2 - share)",
-                   "it comes to rest slowly"},
+    EasingFunction{Easing::Hold, "hold", "(void)share;\n    return 0;", "it jumps when the next key comes"},
+    EasingFunction{Easing::Linear, "linear", "return share;", "the same speed all the way"},
+    EasingFunction{Easing::EaseIn, "easeIn", "return share * share;", "it begins to move slowly"},
+    EasingFunction{Easing::EaseOut, "easeOut", "return share * (2 - share);", "it comes to rest slowly"},
     EasingFunction{Easing::EaseInOut, "easeInOut", "return share * share * (3 - 2 * share);",
-                   "share * share * (3 - 2 * share)", "it begins and comes to rest slowly"},
+                   "it begins and comes to rest slowly"},
 };
 static_assert(easingFunctions.size() == easingRows.size());
 
@@ -57,8 +53,7 @@ std::string_view stepName(const MovingParam& param, const Value& value) {
 class KeyFramesWriter {
 public:
     explicit KeyFramesWriter(Emission& emission)
-        : writer_(emission.writer)
-        , isWeb_(emission.isWeb) {
+        : writer_(emission.writer) {
         for (const auto& [path, param] : emission.keys.params()) {
             if (!param.isUsed)
                 continue;
@@ -81,14 +76,10 @@ public:
         for (const Used& each : used_)
             declare(each);
         writer_.heading("to what the keys say at a time");
-        writer_.add(isWeb_ ? "function animate(seconds) {" : "static void animate(double seconds)");
-        if (!isWeb_)
-            writer_.add("{");
-        writer_.indent();
+        writer_.open("static void animate(double seconds)");
         for (const Used& each : used_)
             assign(each);
-        writer_.outdent();
-        writer_.add("}");
+        writer_.close();
     }
 
 private:
@@ -108,21 +99,17 @@ private:
                        std::ranges::find(used.param->keys, each.easing, &MovingParam::Key::easing) !=
                            used.param->keys.end();
             });
-            if (isUsed && isWeb_)
-                text(fmt::format("const {} = (share) => {}; /* {} */\n", each.name, each.js, each.what));
-            else if (isUsed)
+            if (isUsed)
                 text(fmt::format("\nstatic double {}(double share) /* {} */\n{{\n    {}\n}}\n", each.name,
-                                 each.what, each.c));
+                                 each.what, each.body));
         }
-        if (isWeb_)
-            return text(functionFile("track.js"));
         std::string track = functionFile("track.c");
         constexpr std::string_view most = "value[4]";
         track.replace(track.find(most), most.size(), fmt::format("value[{}]", most_));
         text(track);
     }
 
-    void writeStep() { text(functionFile(isWeb_ ? "step.js" : "step.c")); }
+    void writeStep() { text(functionFile("step.c")); }
 
     [[nodiscard]] static std::string tableOf(const MovingParam& param) {
         return param.variable + (param.components() == 0 ? "Steps" : "Keys");
@@ -133,9 +120,7 @@ private:
         const std::string_view unit = param.row->range.unit;
         const bool isNumber = param.components() > 0;
         writer_.heading(unit.empty() || !isNumber ? used.path : fmt::format("{}: {}", used.path, unit));
-        const std::string name = tableOf(param);
-        writer_.add(isWeb_ ? fmt::format("const {} = [", name)
-                           : fmt::format("static const {} {}[] = {{", isNumber ? "Key" : "Step", name));
+        writer_.add(fmt::format("static const {} {}[] = {{", isNumber ? "Key" : "Step", tableOf(param)));
         writer_.indent();
         for (const MovingParam::Key& key : param.keys) {
             std::string value;
@@ -147,24 +132,16 @@ private:
                                                               : std::string(stepName(param, key.value));
             const std::string seconds = literal(key.seconds, Literal::Float);
             const std::string_view easing = functionOf(key.easing).name;
-            if (isWeb_)
-                writer_.add(isNumber ? fmt::format("{{seconds: {}, easing: {}, value: [{}]}},", seconds,
-                                                   easing, value)
-                                     : fmt::format("{{seconds: {}, value: {}}},", seconds, value));
-            else
-                writer_.add(isNumber ? fmt::format("{{{}, {}, {{{}}}}},", seconds, easing, value)
-                                     : fmt::format("{{{}, {}}},", seconds, value));
+            writer_.add(isNumber ? fmt::format("{{{}, {}, {{{}}}}},", seconds, easing, value)
+                                 : fmt::format("{{{}, {}}},", seconds, value));
         }
         writer_.outdent();
-        writer_.add(isWeb_ ? "];" : "};");
+        writer_.add("};");
     }
 
     void declare(const Used& used) {
         const MovingParam& param = *used.param;
         const std::size_t count = param.components();
-        if (isWeb_)
-            return writer_.add(count > 1 ? fmt::format("const {} = [];", param.variable)
-                                         : fmt::format("let {};", param.variable));
         const std::string_view type = count == 0                     ? "GLenum"
                                       : param.row->kind == Kind::Int ? "GLint"
                                                                      : "GLfloat";
@@ -184,27 +161,22 @@ private:
     void assign(const Used& used) {
         const MovingParam& param = *used.param;
         const std::size_t count = param.components();
-        const std::string keys = isWeb_ ? fmt::format("{}, seconds", tableOf(param))
-                                        : fmt::format("{}, {}, seconds", tableOf(param), param.keys.size());
+        const std::string keys = fmt::format("{}, {}, seconds", tableOf(param), param.keys.size());
         if (count == 0)
             return writer_.add(fmt::format("{} = step({});", param.variable, keys));
         const std::string found = fmt::format("track({}, {})", keys, count > 1 ? "i" : "0");
         const bool isWhole = param.row->kind == Kind::Int;
-        const std::string_view rounds =
-            isWeb_ ? (isWhole ? "Math.round" : "Math.fround") : (isWhole ? "(GLint)lround" : "(GLfloat)");
         const std::string value =
-            isWeb_ || isWhole ? fmt::format("{}({})", rounds, found) : fmt::format("{}{}", rounds, found);
+            isWhole ? fmt::format("(GLint)lround({})", found) : fmt::format("(GLfloat){}", found);
         if (count == 1)
             return writer_.add(fmt::format("{} = {}{};", param.variable, beside(param), value));
-        writer_.add(isWeb_ ? fmt::format("for (let i = 0; i < {}; ++i)", count)
-                           : fmt::format("for (int i = 0; i < {}; ++i)", count));
+        writer_.add(fmt::format("for (int i = 0; i < {}; ++i)", count));
         writer_.indent();
         writer_.add(fmt::format("{}[i] = {};", param.variable, value));
         writer_.outdent();
     }
 
     CodeWriter& writer_;
-    bool isWeb_;
     std::vector<Used> used_;
     std::size_t most_ = 0; ///< numbers of a key
     bool hasSteps_ = false;

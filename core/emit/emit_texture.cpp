@@ -1,7 +1,6 @@
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/diagnosis/applied_texture.h"
 #include "texplorer/emit/emission.h"
-#include "texplorer/emit/webgl.h"
 #include "texplorer/gl/argument_names.h"
 #include "texplorer/gl/core_format.h"
 #include "texplorer/reference/sampling/lod.h"
@@ -17,10 +16,6 @@ namespace {
 
 /// Whether a target and an internal format have what a row of glTexParameter sets.
 bool hasEffect(const ParamRow& row, const Texture& texture, Target target, const Emission& emission) {
-    if (emission.isWeb &&
-        (row.member == memberId<&Texture::borderColor> || row.member == memberId<&Texture::lodBias> ||
-         row.member == memberId<&Texture::maxAnisotropy>))
-        return false; // which WebGL doesn't know, or as an extension
     if (emission.isCore &&
         (row.member == memberId<&Texture::priority> || row.member == memberId<&Texture::depthMode>))
         return false; // which the core profile doesn't know
@@ -63,15 +58,10 @@ Texture adapted(const Emission& emission, std::size_t object) {
     Texture texture = emission.scene.textures[emission.objects[object].texture];
     if (emission.isCore) {
         const Wrap other = readsNearestAlone(texture) ? Wrap::ClampToEdge : Wrap::ClampToBorder;
-        for (Wrap* wrap : {&texture.wrapS, &texture.wrapT, &texture.wrapR}) {
+        for (Wrap* wrap : {&texture.wrapS, &texture.wrapT, &texture.wrapR})
             *wrap = *wrap == Wrap::Clamp ? other : *wrap; // the core profile has no GL_CLAMP
-            if (emission.isWeb && *wrap == Wrap::ClampToBorder)
-                *wrap = Wrap::ClampToEdge; // the border is the shader's
-        }
     }
     texture.baseLevel = std::max(0, texture.baseLevel); // OpenGL refuses another
-    if (emission.isWeb)
-        texture.maxLevel = std::min(texture.maxLevel, (*emission.texels[object])->lastLevel);
     return texture;
 }
 
@@ -129,17 +119,7 @@ void writeTexture(Emission& emission, std::size_t object) {
     writer.open(fmt::format("static void loadTexture{}(void)", object));
     writer.add(
         callWith("glBindTexture", {plain(fmt::format("{}, textures[{}]", rowOf(target).name, object))}));
-    if (emission.isWeb) // before its parameters: to change the base level of images that aren't there is
-                        // warned of
-        writeWebTexels(emission, holder, object);
     writeParameters(emission, texture, object);
-    if (emission.isWeb) {
-        if (texture.maxAnisotropy > 1)
-            writer.add(fmt::format(
-                "if (anisotropic) glTexParameterf({}, anisotropic.TEXTURE_MAX_ANISOTROPY_EXT, {});",
-                rowOf(target).name, texture.maxAnisotropy));
-        return writer.close();
-    }
     if (emission.isCore && emission.texels[object] && *emission.texels[object])
         writeSwizzle(emission, (*emission.texels[object])->shape, target);
     writeTexels(emission, holder, object);

@@ -47,8 +47,6 @@ struct GlslEmission {
 [[nodiscard]] std::array<CoordForm, maxUnits> coordFormsOf(const Emission& emission, const GlslPass& pass);
 /// Fills in the uniforms that its shaders declare.
 void findUniforms(GlslPass& pass);
-/// Whether any shader looks at normals.
-[[nodiscard]] bool looksAtNormals(const GlslEmission& glsl);
 
 /// Vertices, indices and names of the vertex arrays of a model.
 void writeGlslModelData(GlslEmission& glsl, std::size_t model);
@@ -70,12 +68,8 @@ void writeGlslMovingMatrices(GlslEmission& glsl, const GlslPass& pass);
 /// The material of a model where others have another; the colour of its vertices.
 void writeGlslMaterial(GlslEmission& glsl, const GlslPass& pass, std::size_t model);
 
-/// A uniform's call where the shaders have it and the writer takes it: `suffix` "3f" for glUniform3f.
-void writeUniform(GlslEmission& glsl, const GlslPass& pass, std::string_view suffix, std::string_view name,
-                  std::vector<Part> values);
-
-/// A shader as a string of the program's language.
-void writeStage(Emission& emission, const std::string& name, const std::string& text);
+/// A shader as a C string: a literal for each of its lines.
+void writeStage(CodeWriter& writer, const std::string& name, const std::string& text);
 
 /// Of textures that show what the light sees: shaders, the function that draws it, its call in a frame.
 [[nodiscard]] bool hasShadowMaps(const GlslEmission& glsl);

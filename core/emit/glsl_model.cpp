@@ -2,7 +2,6 @@
 
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/emit/glsl_emission.h"
-#include "texplorer/emit/webgl.h"
 #include "texplorer/gl/argument_names.h"
 #include "texplorer/glsl/vertex_attributes.h"
 #include "texplorer/scene/animation.h"
@@ -34,6 +33,13 @@ std::string_view drawnPrimitive(const Mesh& mesh) {
         .name;
 }
 
+/// Whether any shader looks at normals.
+bool looksAtNormals(const GlslEmission& glsl) {
+    return std::ranges::any_of(glsl.passes, [](const GlslPass& pass) {
+        return pass.source.vertex.text.find("normalMatrix * normal") != std::string::npos;
+    });
+}
+
 class BufferWriter {
 public:
     BufferWriter(GlslEmission& glsl, std::size_t index)
@@ -44,7 +50,7 @@ public:
         , index_(index)
         , path_(elementOf<&Scene::models>(index))
         , variable_(fmt::format("model{}", index))
-        , isShape_(isTurned(model_.shape) && !isEmbossed() && !glsl.emission.isWeb)
+        , isShape_(isTurned(model_.shape) && !isEmbossed())
         , hasNormals_(looksAtNormals(glsl)) {
         mesh_ = meshOf(model_);
         isSmall_ = mesh_.vertices.size() <= maxWrittenVertices &&
@@ -108,15 +114,9 @@ public:
         writer_.add(fmt::format("place({}projection, {});",
                                 glsl_.passes.size() > 1 ? pass.program + ", " : std::string(), modelView));
         writeGlslMaterial(glsl_, pass, index_);
-        if (emission_.isWeb) {
-            if (partCorners(model_) == 1)
-                writeUniform(glsl_, pass, "1f", "pointSize",
-                             {number(model_.pointSize, own(keyOf<&Model::pointSize>()))});
-            writeWebEmboss(glsl_, pass, index_, modelView);
-        } else
-            writeSize();
+        writeSize();
         for (std::size_t unit = 0; unit < maxUnits; ++unit) {
-            if (array.coords[unit] == CoordForm::Embossed && pass.units[unit] && !emission_.isWeb)
+            if (array.coords[unit] == CoordForm::Embossed && pass.units[unit])
                 moveCoords(pass, unit, modelView);
         }
         writer_.add(fmt::format("glBindVertexArray({});", array.name));
@@ -135,8 +135,7 @@ public:
                                 !isSeen    ? "model"
                                 : isPlaced ? "multiplyFloats(view, model)"
                                            : "view"));
-        if (!emission_.isWeb)
-            writeSize();
+        writeSize();
         writer_.add(fmt::format("glBindVertexArray({});", array->name));
         drawElements();
     }
@@ -144,10 +143,7 @@ public:
 private:
     void drawElements() {
         writer_.add(fmt::format("glDrawElements({}, {}, {}, NULL);", drawnPrimitive(mesh_),
-                                isShape_ ? variable_ + "Count"
-                                : emission_.isWeb && isTurned(model_.shape)
-                                    ? variable_ + "Indices.length"
-                                    : std::to_string(drawnIndices(mesh_).size()),
+                                isShape_ ? variable_ + "Count" : std::to_string(drawnIndices(mesh_).size()),
                                 unsignedIntType));
     }
 
@@ -448,12 +444,6 @@ private:
 
 } // namespace
 
-bool looksAtNormals(const GlslEmission& glsl) {
-    return std::ranges::any_of(glsl.passes, [](const GlslPass& pass) {
-        return pass.source.vertex.text.find("normalMatrix * normal") != std::string::npos;
-    });
-}
-
 std::array<CoordForm, maxUnits> coordFormsOf(const Emission& emission, const GlslPass& pass) {
     std::array<CoordForm, maxUnits> forms{};
     for (std::size_t i = 0; i < maxUnits; ++i) {
@@ -468,15 +458,11 @@ std::array<CoordForm, maxUnits> coordFormsOf(const Emission& emission, const Gls
 }
 
 void writeGlslModelData(GlslEmission& glsl, std::size_t model) {
-    if (glsl.emission.isWeb)
-        return writeWebModelData(glsl, model);
     if (BufferWriter writer(glsl, model); writer.isDrawn())
         writer.declare();
 }
 
 void writeGlslModelSetup(GlslEmission& glsl, std::size_t model) {
-    if (glsl.emission.isWeb)
-        return writeWebModelSetup(glsl, model);
     if (BufferWriter writer(glsl, model); writer.isDrawn())
         writer.setUp();
 }

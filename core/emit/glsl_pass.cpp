@@ -231,6 +231,18 @@ private:
     std::string path_;
 };
 
+/// A uniform's call where the shaders have it and the writer takes it: `suffix` "3f" for glUniform3f.
+void writeUniform(GlslEmission& glsl, const GlslPass& pass, std::string_view suffix, std::string_view name,
+                  std::vector<Part> values) {
+    if (!pass.uniforms.contains(name))
+        return;
+    if (!glsl.emission.writer.takes(values))
+        return;
+    std::vector<Part> parts{plain(fmt::format("glGetUniformLocation({}, \"{}\"), ", pass.program, name))};
+    append(parts, std::move(values));
+    glsl.emission.writer.add(callWith(fmt::format("glUniform{}", suffix), std::move(parts)));
+}
+
 void writeUnitUniforms(GlslEmission& glsl, const GlslPass& pass, std::size_t index) {
     const Unit& unit = glsl.emission.scene.passes[pass.index].units[index];
     const std::string path =
@@ -265,7 +277,7 @@ std::vector<Part> alphaReference(const Emission& emission, std::size_t pass) {
     const std::string path = fmt::format("{}.{}", elementOf<&Scene::passes>(pass), keyOf<&Pass::alphaRef>());
     if (!emission.keys.moves(path))
         return {number(std::round(std::clamp(reference, 0.0F, 1.0F) * 255))};
-    return {plain(emission.isWeb ? "Math.round(" : "roundf("), number(reference, path), plain(" * 255.0f)")};
+    return {plain("roundf("), number(reference, path), plain(" * 255.0f)")};
 }
 
 void addUniforms(std::set<std::string, std::less<>>& names, std::string_view source) {
@@ -277,25 +289,9 @@ void addUniforms(std::set<std::string, std::less<>>& names, std::string_view sou
     }
 }
 
-/// A shader as JavaScript has it: the version on its first line.
-void writeWebStage(CodeWriter& writer, const std::string& name, const std::string& text) {
-    std::string first = fmt::format("const {} = `", name);
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        writer.add(std::vector<Part>{{Part::Kind::Comment, first + text.substr(at, end - at)}}); // as it is
-        first.clear();
-        at = end + 1;
-    }
-    writer.add("`;");
-}
-
 } // namespace
 
-// In C a literal for each of its lines.
-void writeStage(Emission& emission, const std::string& name, const std::string& text) {
-    CodeWriter& writer = emission.writer;
-    if (emission.isWeb)
-        return writeWebStage(writer, name, text);
+void writeStage(CodeWriter& writer, const std::string& name, const std::string& text) {
     writer.add(fmt::format("static const char {}[] =", name));
     writer.indent();
     for (std::size_t at = 0; at < text.size();) {
@@ -314,26 +310,15 @@ void findUniforms(GlslPass& pass) {
     addUniforms(pass.uniforms, pass.source.fragment.text);
 }
 
-void writeUniform(GlslEmission& glsl, const GlslPass& pass, std::string_view suffix, std::string_view name,
-                  std::vector<Part> values) {
-    if (!pass.uniforms.contains(name))
-        return;
-    if (!glsl.emission.writer.takes(values))
-        return;
-    std::vector<Part> parts{plain(fmt::format("glGetUniformLocation({}, \"{}\"), ", pass.program, name))};
-    append(parts, std::move(values));
-    glsl.emission.writer.add(callWith(fmt::format("glUniform{}", suffix), std::move(parts)));
-}
-
 void writeShaders(GlslEmission& glsl, const GlslPass& pass) {
     CodeWriter& writer = glsl.emission.writer;
     const Pass& drawn = glsl.emission.scene.passes[pass.index];
     writer.heading(pass.variable.empty() ? std::string("shaders")
                    : drawn.name.empty()  ? fmt::format("shaders of pass {}", pass.index)
                                          : fmt::format("shaders of pass {}: {}", pass.index, drawn.name));
-    writeStage(glsl.emission, joined(pass.variable, "vertexShader"), pass.source.vertex.text);
+    writeStage(writer, joined(pass.variable, "vertexShader"), pass.source.vertex.text);
     writer.heading("for every pixel");
-    writeStage(glsl.emission, joined(pass.variable, "fragmentShader"), pass.source.fragment.text);
+    writeStage(writer, joined(pass.variable, "fragmentShader"), pass.source.fragment.text);
     glsl.emission.atStart.add(fmt::format("static GLuint {};", pass.program));
 }
 
@@ -395,15 +380,14 @@ void writeGlslPassState(GlslEmission& glsl, const GlslPass& pass) {
     const Holder holder{passTable(), &drawn, &initial, path, "pass", pass.variable};
     if (pass.variable.empty())
         writer.heading("tests, blending and textures");
-    const bool hasCube =
-        !emission.isWeb && std::any_of(pass.units.begin(), pass.units.end(), [&](const auto& unit) {
-            return unit &&
-                   drawn.units[static_cast<std::size_t>(&unit - pass.units.data())].target == Target::CubeMap;
-        });
+    const bool hasCube = std::any_of(pass.units.begin(), pass.units.end(), [&](const auto& unit) {
+        return unit &&
+               drawn.units[static_cast<std::size_t>(&unit - pass.units.data())].target == Target::CubeMap;
+    });
     for (const MemberId member :
          {memberId<&Pass::depthTest>, memberId<&Pass::depthFunc>, memberId<&Pass::blend>,
           memberId<&Pass::blendSrc>, memberId<&Pass::blendDst>, memberId<&Pass::seamlessCubeMap>}) {
-        if ((member == memberId<&Pass::seamlessCubeMap> && (!hasCube || emission.isWeb)) ||
+        if ((member == memberId<&Pass::seamlessCubeMap> && !hasCube) ||
             (member == memberId<&Pass::depthFunc> && !drawn.depthTest) ||
             ((member == memberId<&Pass::blendSrc> || member == memberId<&Pass::blendDst>)&&!drawn.blend))
             continue;

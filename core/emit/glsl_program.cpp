@@ -4,7 +4,6 @@
 #include "texplorer/diagnosis/diagnosis.h"
 #include "texplorer/emit/glsl_emission.h"
 #include "texplorer/emit/program_frame.h"
-#include "texplorer/emit/webgl.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/params/keys.h"
 
@@ -177,11 +176,7 @@ private:
         writer_.open("static void init(void)");
         writer_.heading(keyOf<&Scene::textures>());
         if (emission_.leftOut.size() < emission_.objects.size()) {
-            if (emission_.isWeb)
-                writer_.add(fmt::format("while (textures.length < {}) textures.push(glCreateTexture());",
-                                        emission_.objects.size()));
-            else
-                writer_.add(fmt::format("glGenTextures({}, textures);", emission_.objects.size()));
+            writer_.add(fmt::format("glGenTextures({}, textures);", emission_.objects.size()));
             for (std::size_t i = 0; i < emission_.objects.size(); ++i) {
                 if (!emission_.leftOut.contains(i))
                     writer_.add(fmt::format("loadTexture{}();", i));
@@ -285,20 +280,6 @@ bool GlslEmission::hasUniform(std::string_view name) const {
 
 namespace {
 
-/// Biases of the texture object and of the unit, which WebGL has as one.
-Scene withOneBias(const Scene& scene) {
-    Scene adapted = scene;
-    for (Pass& pass : adapted.passes) {
-        for (Unit& unit : pass.units) {
-            if (static_cast<std::size_t>(unit.texture) < scene.textures.size())
-                unit.lodBias += scene.textures[static_cast<std::size_t>(unit.texture)].lodBias;
-        }
-    }
-    for (Texture& texture : adapted.textures)
-        texture.lodBias = 0;
-    return adapted;
-}
-
 void leaveOut(GlslEmission& glsl) {
     Emission& emission = glsl.emission;
     for (std::size_t i = 0; i < emission.objects.size(); ++i) {
@@ -319,51 +300,35 @@ void leaveOut(GlslEmission& glsl) {
     }
 }
 
-Result<std::vector<Line>> programOf(const Scene& scene, const ImageSource& images,
-                                    const ProgramOptions& options, TextureCodes& codes, KeyFrames& keys,
-                                    bool isWeb) {
+} // namespace
+
+Result<std::vector<Line>> glslProgram(const Scene& scene, const ImageSource& images,
+                                      const ProgramOptions& options, TextureCodes& codes, KeyFrames& keys) {
     if (const Result<void> possible = checkShadowMaps(scene); !possible)
         return fail(possible.error());
     bool moves = false;
     for (const bool isTrial : {true, false}) {
         Emission emission(scene, images, options, codes, keys);
         emission.isCore = true;
-        emission.isWeb = isWeb;
         emission.moves = moves;
         Result<std::vector<GlslPass>> passes = passesOf(emission);
         if (!passes)
             return fail(passes.error());
         GlslEmission glsl{emission, std::move(*passes), {}};
         glsl.arrays = arraysOf(emission, glsl.passes);
-        if (const Result<void> said = isWeb ? sayableInWebGl(glsl) : sayable(glsl); !said)
+        if (const Result<void> said = sayable(glsl); !said)
             return fail(said.error());
         leaveOut(glsl);
-        if (isWeb)
-            toEs(glsl);
         GlslWriter(glsl).write();
         moves = emission.writer.usesSeconds() || keys.isUsed();
         if (isTrial)
             continue;
-        if (isWeb)
-            return webPage(std::move(emission));
         return framed(std::move(emission),
                       {.hints = {"GLFW_CONTEXT_VERSION_MAJOR, 3", "GLFW_CONTEXT_VERSION_MINOR, 3",
                                  "GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE"},
                        .headers = {"stddef.h"}});
     }
     return fail(ErrorCode::Unsupported, "the program can't be made"); // not reached
-}
-
-} // namespace
-
-Result<std::vector<Line>> glslProgram(const Scene& scene, const ImageSource& images,
-                                      const ProgramOptions& options, TextureCodes& codes, KeyFrames& keys) {
-    return programOf(scene, images, options, codes, keys, false);
-}
-
-Result<std::vector<Line>> webGlProgram(const Scene& scene, const ImageSource& images,
-                                       const ProgramOptions& options, TextureCodes& codes, KeyFrames& keys) {
-    return programOf(withOneBias(scene), images, options, codes, keys, true);
 }
 
 } // namespace texplorer::emit

@@ -13,14 +13,16 @@
 namespace texplorer::emit {
 namespace {
 
-constexpr std::string_view vertexStage = R"(layout(location = 0) in vec3 position;
+constexpr std::string_view vertexStage = R"(#version 330 core
+layout(location = 0) in vec3 position;
 uniform mat4 modelViewProjection; // the light's
 
 void main() {
     gl_Position = modelViewProjection * vec4(position, 1.0);
 }
 )";
-constexpr std::string_view fragmentStage = R"(// Depths alone: there is no colour.
+constexpr std::string_view fragmentStage = R"(#version 330 core
+// Depths alone: there is no colour.
 void main() {
 }
 )";
@@ -44,10 +46,10 @@ bool hasShadowMaps(const GlslEmission& glsl) {
 void writeGlslShadowShaders(GlslEmission& glsl) {
     if (!hasShadowMaps(glsl))
         return;
-    const std::string version = glsl.emission.isWeb ? "#version 300 es\n" : "#version 330 core\n";
-    glsl.emission.writer.heading("shaders for the depths that the light sees");
-    writeStage(glsl.emission, "shadowVertexShader", version + std::string(vertexStage));
-    writeStage(glsl.emission, "shadowFragmentShader", version + std::string(fragmentStage));
+    CodeWriter& writer = glsl.emission.writer;
+    writer.heading("shaders for the depths that the light sees");
+    writeStage(writer, "shadowVertexShader", std::string(vertexStage));
+    writeStage(writer, "shadowFragmentShader", std::string(fragmentStage));
     glsl.emission.atStart.add("static GLuint shadowProgram;");
 }
 
@@ -85,7 +87,7 @@ void writeGlslShadowMaps(GlslEmission& glsl) {
         for (const std::size_t model : modelsInLight(scene))
             writeGlslShape(glsl, model);
         glsl.hasModelMatrix = false;
-        writer.add(fmt::format("glBindFramebuffer(GL_FRAMEBUFFER, {});", emission.isWeb ? "null" : "0"));
+        writer.add("glBindFramebuffer(GL_FRAMEBUFFER, 0);");
         writer.close();
     }
 }

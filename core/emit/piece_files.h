@@ -15,11 +15,7 @@ struct PieceFile {
 
 /// Functions in C; each begins with #include of those that it calls.
 [[nodiscard]] const std::vector<PieceFile>& cFunctionFiles();
-/// Functions in JavaScript, each of which calls only those before it.
-[[nodiscard]] const std::vector<PieceFile>& scriptFunctionFiles();
-/// What finds out what key frames say, in both.
+/// What finds out what key frames say.
 [[nodiscard]] const std::vector<PieceFile>& keyFrameFiles();
-/// What else a page is made of.
-[[nodiscard]] const std::vector<PieceFile>& pageFiles();
 
 } // namespace texplorer::emit

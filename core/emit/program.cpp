@@ -27,21 +27,11 @@ public:
         : flavour_(flavour)
         , images_(images)
         , options_(options)
-        , codes_(codes) {
-        if (flavour == Flavour::WebGl)
-            options_.fileName = {}; // a page has no other file
-    }
+        , codes_(codes) {}
 
     [[nodiscard]] Result<Lines> of(const Scene& standing, KeyFrames& keys) const {
-        switch (flavour_) {
-        case Flavour::Glsl:
-            return glslProgram(standing, images_, options_, codes_, keys);
-        case Flavour::WebGl:
-            return webGlProgram(standing, images_, options_, codes_, keys);
-        case Flavour::Fixed:
-            break;
-        }
-        return fixedProgram(standing, images_, options_, codes_, keys);
+        return flavour_ == Flavour::Glsl ? glslProgram(standing, images_, options_, codes_, keys)
+                                         : fixedProgram(standing, images_, options_, codes_, keys);
     }
 
     /// The program of a scene that moves: the same whenever it is written, but for the values that its
@@ -200,7 +190,7 @@ private:
 
     Flavour flavour_;
     const ImageSource& images_;
-    ProgramOptions options_;
+    const ProgramOptions& options_;
     TextureCodes& codes_;
 };
 

@@ -40,7 +40,7 @@ def calls(scene, out):
     yield "check", scene, "--json"
     yield "validate", scene
     yield "commands", scene
-    for flavour in ("fixed", "glsl", "webgl"):
+    for flavour in ("fixed", "glsl"):
         yield "emit", scene, "--as", flavour, "-o", out / "program"
     yield "scene", scene, "-o", out / "again.json"
     yield "scene", scene, "--short"

@@ -81,7 +81,6 @@ int main(int argc, char** argv) {
         write.number("--count", files.count, 1, many, "How many.", {.showsDefault = true});
         write.number("--seed", files.seed, 0, std::numeric_limits<unsigned>::max(),
                      "Others; the same number gives the same ones.", {.showsDefault = true});
-        write.flag("--comparable", files.comparable, "Only those by which renderers can be compared.");
         write.flag("--tame", files.tame,
                    "Without numbers at their limits and without anisotropy: what llvmpipe survives.");
         write.onCall([&] {

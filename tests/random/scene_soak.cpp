@@ -69,9 +69,7 @@ Subject randomScenes(const SceneSoak& soak) {
 }
 
 Result<void> writeScenes(const SceneFiles& files) {
-    const Temper wildest = files.comparable ? Temper::Comparable
-                           : files.tame     ? Temper::Ordinary
-                                            : Temper::Wild;
+    const Temper wildest = files.tame ? Temper::Ordinary : Temper::Wild;
     int written = 0;
     for (int number = 0; written < files.count; ++number) {
         RandomScene random = randomScene(files.seed, number, {});

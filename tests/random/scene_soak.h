@@ -22,8 +22,7 @@ struct SceneFiles {
     std::string folder;
     unsigned seed = 1;
     int count = 100;
-    bool comparable = false; ///< of this temper alone
-    bool tame = false;       ///< what llvmpipe survives: without numbers at their limits and anisotropy
+    bool tame = false; ///< what llvmpipe survives: without numbers at their limits and anisotropy
 };
 
 /// Random scenes that name no images, as folder/scene-0.json and so on.

@@ -1,7 +1,6 @@
 // A scene as a program.
 
 #include "app/command_line/choice_argument.h"
-#include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/outputs_apart.h"
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/interrupts.h"
@@ -24,17 +23,17 @@ struct EmitOptions {
 };
 
 /// Whether --files can be had. The error names an option.
-Result<void> checkFilesBeside(const EmitOptions& options, emit::Flavour flavour) {
-    if (options.files && flavour == emit::Flavour::WebGl)
-        noteUnused("--files", "a page of webgl needs no other file");
-    else if (options.files && options.scene.lesson.empty())
+Result<void> checkFilesBeside(const EmitOptions& options) {
+    if (!options.files)
+        return {};
+    if (options.scene.lesson.empty())
         return fail(ErrorCode::OutOfRange, "only the files of a lesson are written next to a program",
                     "--files");
-    if (options.files && isStandardOutput(options.out))
+    if (isStandardOutput(options.out))
         return fail(ErrorCode::OutOfRange, "expected a file name, to write other files next to it", "--out");
     std::error_code ignored;
     const std::filesystem::file_status there = std::filesystem::status(options.out, ignored);
-    if (options.files && std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+    if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
         return fail(ErrorCode::OutOfRange,
                     Sentence("expected a file, to write other files next to it, found \"{0}\"", options.out),
                     "--out");
@@ -79,7 +78,7 @@ ExitCode emitProgram(const EmitOptions& options) {
     const Result<emit::Flavour> flavour = parseChoice<emit::Flavour>(options.flavour, "--as");
     if (!flavour)
         return complain(flavour.error(), wrongCall);
-    if (const Result<void> possible = checkFilesBeside(options, *flavour); !possible)
+    if (const Result<void> possible = checkFilesBeside(options); !possible)
         return complain(possible.error(), wrongCall);
     const Result<Output> out = Output::open(options.out);
     if (!out)
@@ -105,7 +104,7 @@ ExitCode emitProgram(const EmitOptions& options) {
 } // namespace
 
 void addEmit(CommandLine& line) {
-    Command& command = line.command("emit", "Write a scene as a complete program in C or JavaScript.");
+    Command& command = line.command("emit", "Write a scene as a complete program in C.");
     auto options = std::make_shared<EmitOptions>();
     addSceneOrLessonArgument(command, options->scene);
     command.option("--as", options->flavour, "The target of the program." + explainChoices<emit::Flavour>(),
@@ -121,10 +120,9 @@ void addEmit(CommandLine& line) {
         "differently. It is animated like the scene and turns with the mouse. Simple patterns are "
         "computed; the texels of other images and large meshes are arrays at the end. With --lesson the "
         "step's text is at the top, and the relevant calls have comments.\n"
-        "The shaders of glsl and webgl are those of the GLSL tab. A page of webgl needs no other file, and "
-        "its pixels are the browser's. If OpenGL 3.3 or WebGL 2 can't express the scene, or a key frame "
-        "changes something that no call or uniform sets, such as a model's shape, an error names it and "
-        "nothing is written.\n"
+        "The shaders of glsl are those of the GLSL tab. If OpenGL 3.3 can't express the scene, or a key "
+        "frame changes something that no call or uniform sets, such as a model's shape, an error names it "
+        "and nothing is written.\n"
         "Exit status: 0 done, 1 the scene or an image can't be read or expressed, 2 invalid arguments.");
     command.onCall([options] { return emitProgram(*options); });
 }

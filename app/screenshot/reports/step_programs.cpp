@@ -111,7 +111,7 @@ emit::Excerpt excerptOfStep(const PageLesson& lesson, std::size_t index,
 }
 
 std::string fileOf(emit::Flavour flavour, const std::string& place) {
-    return fmt::format("{}{}{}", place, flavour == emit::Flavour::Glsl ? "-glsl" : "", extensionOf(flavour));
+    return fmt::format("{}{}.c", place, flavour == emit::Flavour::Glsl ? "-glsl" : "");
 }
 
 /// The programs of a step, one after the other.
@@ -129,9 +129,8 @@ public:
         for (const EnumRow& row : emit::flavourRows) {
             const auto flavour = static_cast<emit::Flavour>(row.value);
             const std::string name = fileOf(flavour, place_);
-            // A page has no other file: what its textures hold is made apart.
-            emit::TextureCodes& codes = flavour == emit::Flavour::WebGl ? codesOfPages_ : codes_;
-            Result<ProgramText> program = programOfStep(lesson_.lesson, index_, scene_, flavour, name, codes);
+            Result<ProgramText> program =
+                programOfStep(lesson_.lesson, index_, scene_, flavour, name, codes_);
             if (!program && program.error().code != ErrorCode::Unsupported)
                 return fail(program.error());
             names += fmt::format("<li>{}</li>\n", program ? add(row, name, *program)
@@ -177,7 +176,6 @@ private:
     const lesson::LessonScene& scene_;
     const std::string& place_;
     emit::TextureCodes codes_;
-    emit::TextureCodes codesOfPages_;
     std::string shown_; ///< the program that stands on the page
     StepPrograms out_;
 };

@@ -48,8 +48,7 @@ void toolRow(const Session& session, CommandsTabState& state) {
         });
     }
     ImGui::SameLine(0, inner);
-    if (button(save, "commands:export",
-               "Writes a program that draws the scene into a file: in C, or as a page for a browser"))
+    if (button(save, "commands:export", "Writes a file with a program in C that draws the scene"))
         ImGui::OpenPopup("export");
     const ImVec2 corner = ImGui::GetItemRectMax();
     const float height =

@@ -10,6 +10,7 @@
 namespace texplorer::ui {
 namespace {
 
+constexpr std::string_view extension = ".c";
 constexpr Sentence::Key<Sentence> programFailure(N_("The program can't be written: {0}."));
 
 std::string stemOf(const Document& document) {
@@ -39,8 +40,8 @@ std::function<void(float)> reportOfAll(const FileMaking& making, std::size_t tex
 
 } // namespace
 
-std::string programFileName(const Document& document, emit::Flavour flavour) {
-    return stemOf(document) + std::string(emit::extensionOf(flavour));
+std::string programFileName(const Document& document) {
+    return stemOf(document).append(extension);
 }
 
 std::optional<emit::ProgramWorker::Program> programNow(Session& session, emit::Flavour flavour) {
@@ -85,8 +86,7 @@ void askSaveProgram(Session& session, emit::Flavour flavour) {
 
 Result<void> saveProgram(Session& session, const std::filesystem::path& file,
                          const std::optional<FileFingerprint>& replaces) {
-    return session.services.writing->writeAs(programOrder(session, file),
-                                             emit::extensionOf(session.asking.flavour), replaces);
+    return session.services.writing->writeAs(programOrder(session, file), extension, replaces);
 }
 
 } // namespace texplorer::ui

@@ -11,7 +11,7 @@
 namespace texplorer::ui {
 
 /// The file name of the scene's program: "scene.c".
-[[nodiscard]] std::string programFileName(const Document& document, emit::Flavour flavour);
+[[nodiscard]] std::string programFileName(const Document& document);
 
 /// The scene's program, to display; nothing: its texels are still being made in the background.
 [[nodiscard]] std::optional<emit::ProgramWorker::Program> programNow(Session& session, emit::Flavour flavour);

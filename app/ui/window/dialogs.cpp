@@ -63,9 +63,8 @@ constexpr std::array browserRows{
                [](const Session&) { return std::string("answers.json"); }}, // never the scene's file
     BrowserRow{Dialog::SaveSheet, N_("Save the sheet"), true, false, saveSheet,
                [](const Session& session) { return sheetFileName(session.document); }},
-    BrowserRow{
-        Dialog::SaveProgram, N_("Export as program"), true, false, saveProgram,
-        [](const Session& session) { return programFileName(session.document, session.asking.flavour); }},
+    BrowserRow{Dialog::SaveProgram, N_("Export as program"), true, false, saveProgram,
+               [](const Session& session) { return programFileName(session.document); }},
     BrowserRow{Dialog::SaveRecording, N_("Save the animation"), true, false, saveRecording,
                recordingFileName},
 };

@@ -97,6 +97,16 @@ TEST(GlslProgram, SaysWhatTheCoreProfileHasNot) {
               "textures[0].border: textures have no border in OpenGL 3.3's core profile");
 }
 
+/// Where only the nearest texel is read, GL_CLAMP has no border.
+TEST(GlslProgram, ClampsToTheEdgeWhereThatIsTheSame) {
+    Scene scene = defaultScene();
+    scene.textures[0].wrapS = Wrap::Clamp;
+    scene.textures[0].magFilter = MagFilter::Nearest;
+    scene.textures[0].minFilter = MinFilter::Nearest;
+    EXPECT_THAT(textOf(scene),
+                HasSubstr("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);"));
+}
+
 TEST(GlslProgram, IsGivenTheSecondsWhereSomethingMoves) {
     Scene scene = defaultScene();
     for (Model& model : scene.models)

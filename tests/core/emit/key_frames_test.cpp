@@ -169,10 +169,6 @@ TEST(EmittedKeyFrames, OfShadersAreUniforms) {
     EXPECT_THAT(bodyOf(text, draw), Contains(call));
     EXPECT_THAT(bodyOf(text, init), Not(Contains(HasSubstr("lightPosition"))));
     EXPECT_THAT(bodyOf(text, init), Contains(HasSubstr("lightDiffuse")));
-    const std::string page = textOf(scene, Flavour::WebGl);
-    EXPECT_THAT(page, HasSubstr("{seconds: 2.0, easing: linear, value: [-2.0, 3.0, 4.0, 1.0]},"));
-    EXPECT_THAT(page, HasSubstr("lightPosition[i] = Math.fround(track(lightPositionKeys, seconds, i));"));
-    EXPECT_THAT(page, HasSubstr("const lightPosition = [];"));
 }
 
 struct RefusedCase {
@@ -195,7 +191,6 @@ TEST(EmittedKeyFrames, AreRefusedWhereTheProgramWouldBeAnother) {
         {"the second parameter", Flavour::Fixed, second, "models[0].shape"},
         {"a vertex", Flavour::Fixed, coordinate, "models[0].texCoords0[3]"},
         {"environment", Flavour::Glsl, mode, "passes[0].units[0].envMode"},
-        {"environment on a page", Flavour::WebGl, mode, "passes[0].units[0].envMode"},
         {"slices",
          Flavour::Fixed,
          {{0, "models[1].slices", "8"}, {1, "models[1].slices", "9"}},
@@ -219,15 +214,17 @@ TEST(EmittedKeyFrames, AreRefusedWhereTheProgramWouldBeAnother) {
     EXPECT_TRUE(programOf(sceneWith(mode)));
 }
 
-// WebGL has one bias for texture and unit: it is the sum of a moving value and another one.
-TEST(EmittedKeyFrames, AreRefusedWhereANumberIsMadeOfThem) {
-    Scene scene = sceneWith({{0, "passes[0].units[0].lodBias", "0"}, {1, "passes[0].units[0].lodBias", "1"}});
-    EXPECT_TRUE(programOf(scene, Flavour::WebGl));
-    scene.textures[0].lodBias = 1;
+// The core profile has no GL_CLAMP: where only the nearest texel is read, GL_CLAMP_TO_EDGE is the same.
+TEST(EmittedKeyFrames, AreRefusedWhereAnotherNameStandsForThem) {
+    Scene scene = sceneWith({{0, "textures[0].wrapS", "GL_REPEAT"}, {1, "textures[0].wrapS", "GL_CLAMP"}});
+    scene.textures[0].magFilter = MagFilter::Nearest;
+    scene.textures[0].minFilter = MinFilter::Nearest;
+    EXPECT_TRUE(programOf(scene));
+    const auto lines = programOf(scene, Flavour::Glsl);
+    ASSERT_FALSE(lines);
+    EXPECT_EQ(lines.error().where, "textures[0].wrapS");
+    scene.timeline.keys[1].value = "GL_CLAMP_TO_EDGE";
     EXPECT_TRUE(programOf(scene, Flavour::Glsl));
-    const auto page = programOf(scene, Flavour::WebGl);
-    ASSERT_FALSE(page);
-    EXPECT_EQ(page.error().where, "passes[0].units[0].lodBias");
 }
 
 // Mesa is given at least the base level, or it crashes: that isn't the number of the keys.

@@ -30,8 +30,7 @@ TEST(Pieces, AreTheFilesOfTheFolder) {
     for (const PieceFile& each : cFunctionFiles())
         names.push_back(each.name);
     for (const PieceFile& each : keyFrameFiles())
-        if (each.name.ends_with(".c"))
-            names.push_back(each.name);
+        names.push_back(each.name);
     EXPECT_THAT(names, testing::UnorderedElementsAreArray(expected));
 }
 

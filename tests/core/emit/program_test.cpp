@@ -451,7 +451,7 @@ TEST(EmittedModels, AreBounded) {
 }
 
 TEST(EmittedModels, AreLeftOutWithoutAPrimitive) {
-    for (const emit::Flavour flavour : {emit::Flavour::Fixed, emit::Flavour::Glsl, emit::Flavour::WebGl}) {
+    for (const emit::Flavour flavour : {emit::Flavour::Fixed, emit::Flavour::Glsl}) {
         Scene scene = defaultScene();
         scene.models[0].shape = Shape::Mesh;
         scene.models[0].mesh.positions = {{0, 0, 0}, {1, 0, 0}};

@@ -218,7 +218,7 @@ TEST(ProgramWorker, PassesOnWhatAProgramCantSay) {
     Scene scene = compressed();
     scene.textures[0].border = 1;
     ProgramWorker worker(When::AtOnce);
-    const auto made = worker.program(Flavour::WebGl, scene, {}, {});
+    const auto made = worker.program(Flavour::Glsl, scene, {}, {});
     ASSERT_TRUE(made);
     EXPECT_FALSE(*made);
 }

@@ -16,7 +16,7 @@ class Moving(NamedTuple):
     pass_: dict = {}  # of the only pass
     unit: dict = {}  # of its first unit
     example: str = ""  # instead of all these
-    only_fixed: str = ""  # the parameter that flavours with shaders refuse
+    only_fixed: str = ""  # the parameter that glsl refuses
 
 
 CUBES = [{"shape": "cube", "position": [-1.2, 0, 0]}, {"shape": "sphere", "position": [1.2, 0, 0]}]

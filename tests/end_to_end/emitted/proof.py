@@ -23,13 +23,12 @@ LAST_BITS = 1e-4  # of a picture, by which the rule last-bit of texshot conform 
 
 class Flavour(NamedTuple):
     name: str  # as texshot emit has it
-    file: str
     renderer: str  # which draws what the program is to draw
     bound: int  # by how much a component may differ, in 255ths
 
 
-FIXED = Flavour("fixed", "demo.c", "fixed", 0)
-GLSL = Flavour("glsl", "demo.c", "shader", 1)
+FIXED = Flavour("fixed", "fixed", 0)
+GLSL = Flavour("glsl", "shader", 1)
 
 
 class Refused(Exception):
@@ -62,7 +61,7 @@ class Proof:
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder)
             try:
-                self.emit(case, path / self.flavour.file)
+                self.emit(case, path / "demo.c")
                 if failed:
                     raise ProgramError(failed)
                 self.compare(case, path, self.draw(path), expected)
@@ -87,7 +86,7 @@ class Proof:
 
     def draw(self, path):
         """What the program draws at each time."""
-        compile_program(path / self.flavour.file, path / "demo")
+        compile_program(path / "demo.c", path / "demo")
         return self.capture.run(path / "demo", path, self.times)
 
     def shoot(self, files, name, cwd):

@@ -72,11 +72,6 @@ class OnAScreen(Handout):
             self.open("one")
             browser.click(f"a[href='programs/wrap/{file}']")
             self.assertIn(said, browser.text("body"))
-        self.open("one")
-        browser.click("a[href='programs/wrap/wrap-1.html']")
-        self.assertTrue(browser.driver.current_url.endswith("wrap-1.html"))
-        self.assertEqual(len(browser.all("canvas")), 1)
-        browser.complaints()  # what the driver says of WebGL is pages_test's
 
     def test_nothing_is_wider_than_the_window(self):
         for width in 1280, 360:

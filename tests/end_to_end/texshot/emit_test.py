@@ -110,7 +110,6 @@ class Emit(Texshot):
             self.assertIn(b"expected a file, to write other files next to it", result.stderr)
             self.assertFalse(Path("/dev/uv.bmp").exists())
         self.assertIn("--files", self.refused("--example", "cube", "--files", code=2))
-        self.notes("--files: has no effect here: a page", "emit", *step, "--as", "webgl", "--files", "-o", self.path / "page.html")
         self.assertEqual(list(self.path.glob("*.bmp")), [])
         result = texshot("emit", *step, "--files")
         self.assertEqual((result.returncode, result.stdout), (2, b""))

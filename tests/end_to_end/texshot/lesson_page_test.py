@@ -124,10 +124,9 @@ class LessonPage(Texshot):
         for lesson in "wrap", "dds":
             text = html.unescape(self.page("--lesson", lesson))
             for step in range(1, text.count("<section class=\"step\"") + 1):
-                for flavour, name in ("fixed", f"{lesson}-{step}.c"), ("glsl", f"{lesson}-{step}-glsl.c"), ("webgl", f"{lesson}-{step}.html"):
+                for flavour, name in ("fixed", f"{lesson}-{step}.c"), ("glsl", f"{lesson}-{step}-glsl.c"):
                     emitted = self.path / "emitted" / name
-                    files = () if flavour == "webgl" else ("--files",)  # a page reads none
-                    result = texshot("emit", "--lesson", lesson, "--step", step, "--as", flavour, *files, "-o", emitted)
+                    result = texshot("emit", "--lesson", lesson, "--step", step, "--as", flavour, "--files", "-o", emitted)
                     written = self.path / "out/programs" / lesson / name
                     self.assertEqual(written.exists(), result.returncode == 0, result.stderr)
                     if result.returncode == 0:
@@ -169,18 +168,17 @@ class LessonPage(Texshot):
                                            {"time": 1, "path": "models[0].shape", "value": "sphere"}]}
         folder = self.folder_of({**LESSON, "steps": [
             {"title": "One", "text": "Text.", "scene": "keyed.json"},
-            {"title": "Two", "text": "Text.", "scene": "cube", "edits": ["textures[0].wrapS=GL_CLAMP_TO_BORDER", "textures[0].maxAnisotropy=2"]},
+            {"title": "Two", "text": "Text.", "scene": "cube", "edits": ["textures[0].border=1"]},
             {"title": "Three", "text": "Text.", "scene": "photo.json"}]})
         (folder / "keyed.json").write_text(json.dumps(keyed))
         Image.effect_noise((1200, 1200), 90).convert("RGB").save(folder / "photo.png")
         (folder / "photo.json").write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "photo.png", "minFilter": "GL_LINEAR"}],
                                                        "models": [{}], "passes": [{"units": [{"enabled": True}]}]}))
         text = html.unescape(self.page("--lesson", folder))
-        self.assertEqual(text.count("can't animate this by key frames; texshot animate can"), 3)
-        self.assertIn("Page with WebGL 2: textures[0].wrapS: WebGL 2 has no GL_CLAMP_TO_BORDER", text)
+        self.assertEqual(text.count("can't animate this by key frames; texshot animate can"), 2)
+        self.assertIn("C with OpenGL 3.3: textures[0].border: textures have no border in OpenGL 3.3's core profile", text)
         self.assertRegex(text, r"C with OpenGL 2\.1: the program contains \d+ MB of texels")
-        self.assertEqual({name for name in self.files() if name.startswith("programs/")},
-                         {"programs/mine/mine-2.c", "programs/mine/mine-2-glsl.c"})
+        self.assertEqual({name for name in self.files() if name.startswith("programs/")}, {"programs/mine/mine-2.c"})
         self.assertLess(len(text), 60_000)
 
     def test_the_page_is_in_other_languages(self):

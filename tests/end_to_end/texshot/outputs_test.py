@@ -148,7 +148,7 @@ class Outputs(Texshot):
         before = {file: file.read_bytes() for file in files}
         small = ("--size", "16x16")
         for call, out, lost in (
-                (("emit", scene), files[0], files[0]), (("emit", scene, "--as", "webgl"), link, files[0]),
+                (("emit", scene), files[0], files[0]), (("emit", scene, "--as", "glsl"), link, files[0]),
                 (("emit", scene), scene, scene), (("emit", "--lesson", lesson), lesson / "lesson.json", lesson / "lesson.json"),
                 (("shot", scene, *small), files[0], files[0]),
                 (("shot", keyed, *small, "--time", "2,3"), self.path / "{time}.png", files[1]),

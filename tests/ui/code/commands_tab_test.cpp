@@ -138,9 +138,10 @@ TEST_F(CommandsTab, ACoordinateOfAVertexIsDragged) {
 
 TEST_F(CommandsTab, LeadsToAFile) {
     click("commands:export");
-    click("menu:Page with WebGL 2");
+    click("menu:C with OpenGL 3.3");
     EXPECT_EQ(session->asking.dialog, Dialog::SaveProgram);
-    EXPECT_EQ(states.dialogs.browser.typed, "scene.html");
+    EXPECT_EQ(session->asking.flavour, emit::Flavour::Glsl);
+    EXPECT_EQ(states.dialogs.browser.typed, "scene.c");
 }
 
 // The last program stays, and what it has is dragged, while a thread makes the texels of the next.

@@ -14,6 +14,10 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
+constexpr const char* noBorder =
+    "The program can't be written: textures[0].border: textures have no border in "
+    "OpenGL 3.3's core profile.";
+
 class ProgramFile : public testing::Test {
 protected:
     std::string saved(emit::Flavour flavour, const std::filesystem::path& file) {
@@ -33,7 +37,7 @@ protected:
 TEST_F(ProgramFile, IsTheProgramThatTexshotWrites) {
     for (const EnumRow& row : emit::flavourRows) {
         const auto flavour = static_cast<emit::Flavour>(row.value);
-        const std::string name = programFileName(session.document, flavour);
+        const std::string name = programFileName(session.document);
         emit::TextureCodes codes;
         const emit::ProgramOptions options{.title = "scene", .source = name};
         const auto lines = emit::program(flavour, session.document.scene, {}, options, codes);
@@ -42,13 +46,12 @@ TEST_F(ProgramFile, IsTheProgramThatTexshotWrites) {
     }
 }
 
-TEST_F(ProgramFile, IsNamedForTheSceneAndTheFlavour) {
-    EXPECT_EQ(programFileName(session.document, emit::Flavour::Fixed), "scene.c");
+TEST_F(ProgramFile, IsNamedForTheScene) {
+    EXPECT_EQ(programFileName(session.document), "scene.c");
     session.document.suggested = "/somewhere/earth.texplorer.json";
-    EXPECT_EQ(programFileName(session.document, emit::Flavour::WebGl), "earth.html");
-    session.asking.flavour = emit::Flavour::WebGl;
-    EXPECT_THAT(describe(saveProgram(session, folder / "earth.c").error()),
-                HasSubstr("ends with .html, found \"earth.c\""));
+    EXPECT_EQ(programFileName(session.document), "earth.c");
+    EXPECT_THAT(describe(saveProgram(session, folder / "earth.html").error()),
+                HasSubstr("ends with .c, found \"earth.html\""));
 }
 
 TEST_F(ProgramFile, NamesImagesFromItsOwnFolder) {
@@ -70,19 +73,17 @@ TEST_F(ProgramFile, NamesImagesFromItsOwnFolder) {
 
 TEST_F(ProgramFile, WhatAFlavourCantSayIsOneSentence) {
     session.document.scene.textures[0].border = 1;
-    EXPECT_EQ(saved(emit::Flavour::WebGl, folder / "a.html"), "");
-    EXPECT_EQ(said,
-              "The program can't be written: textures[0].border: WebGL 2 has no textures with a border.");
-    EXPECT_FALSE(std::filesystem::exists(folder / "a.html"));
+    EXPECT_EQ(saved(emit::Flavour::Glsl, folder / "a.c"), "");
+    EXPECT_EQ(said, noBorder);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.c"));
 }
 
 // What is known at once is said before anybody chooses a file.
 TEST_F(ProgramFile, IsNotAskedForWhereThereCanBeNone) {
     session.document.scene.textures[0].border = 1;
-    askSaveProgram(session, emit::Flavour::WebGl);
+    askSaveProgram(session, emit::Flavour::Glsl);
     EXPECT_EQ(session.asking.dialog, Dialog::None);
-    EXPECT_EQ(session.look.notice.text,
-              "The program can't be written: textures[0].border: WebGL 2 has no textures with a border.");
+    EXPECT_EQ(session.look.notice.text, noBorder);
     askSaveProgram(session, emit::Flavour::Fixed);
     EXPECT_EQ(session.asking.dialog, Dialog::SaveProgram);
 }

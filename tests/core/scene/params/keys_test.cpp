@@ -98,13 +98,11 @@ TEST(Keys, AreRecognisedInALiteral) {
         EXPECT_FALSE(isMadeOfKeys(other, keys)) << other;
 }
 
-/// What writes C, GLSL or JavaScript has the names of their variables, as "position", and words of
-/// glTexImage, as "depth".
+/// What writes C or GLSL has the names of their variables, as "position", and words of glTexImage, as
+/// "depth".
 bool hasWordsOfPrograms(const std::string& file) {
-    constexpr std::array<std::string_view, 4> files{"emit_image.cpp", "emit_camera.cpp", "emit_model.cpp",
-                                                    "js_functions.cpp"};
-    return std::ranges::find(files, file) != files.end() || file.starts_with("glsl_") ||
-           file.starts_with("webgl_");
+    constexpr std::array<std::string_view, 3> files{"emit_image.cpp", "emit_camera.cpp", "emit_model.cpp"};
+    return std::ranges::find(files, file) != files.end() || file.starts_with("glsl_");
 }
 
 TEST(Keys, AreNotTypedAgainWhereScenesAreJudged) {
