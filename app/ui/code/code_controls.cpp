@@ -51,10 +51,13 @@ void codeTip(const Session& session, const ParamPlace& place, const std::string&
         return;
     ImGui::PushFont(nullptr); // words, not code
     if (place.vertex) {
-        constexpr std::array names{"s", "t", "r", "q"};
-        helpTip(component >= 0 && component < 4
-                    ? Sentence("Coordinate {0} of vertex {1}: drag it, or double-click to type",
-                               names.at(static_cast<std::size_t>(component)), *place.vertex)
+        const std::string_view names = place.row->kind == Kind::TexCoordList ? "strq"
+                                       : place.row->kind == Kind::ColorList  ? "rgba"
+                                                                             : "xyz";
+        const auto at = static_cast<std::size_t>(component);
+        helpTip(component >= 0 && at < names.size()
+                    ? Sentence("{0} of vertex {1}: drag it, or double-click to type",
+                               ProperName{std::string(names.substr(at, 1))}, *place.vertex)
                     : "A coordinate of this vertex: drag it, or double-click to type");
     } else {
         const Value value = place.row->read(place.owner.values);

@@ -49,6 +49,36 @@ float* numberOf(Value& value, int component) {
     return numbers.empty() ? nullptr : &numbers[static_cast<std::size_t>(std::clamp(component, 0, last))];
 }
 
+bool isTexCoord(const ParamPlace& place) {
+    return place.vertex && place.row->member == memberId<&Model::texCoords>;
+}
+
+/// The numbers of one vertex of a list; empty if there is no such vertex.
+std::span<float> numbersOf(Value& list, std::size_t vertex) {
+    if (auto* points = std::get_if<std::vector<glm::vec3>>(&list); points && vertex < points->size())
+        return {&(*points)[vertex].x, 3};
+    if (auto* rows = std::get_if<std::vector<glm::vec4>>(&list); rows && vertex < rows->size())
+        return {&(*rows)[vertex].x, 4};
+    return {};
+}
+
+/// Of a list of a mesh.
+void assignElement(const Session& session, const ParamPlace& place, int component, float number) {
+    Value list = place.row->read(place.owner.values);
+    const std::span<float> numbers = numbersOf(list, *place.vertex);
+    const auto at = static_cast<std::size_t>(std::max(component, 0));
+    if (at >= numbers.size() || numbers[at] == number)
+        return;
+    numbers[at] = number;
+    const std::string path = fmt::format("{}[{}]", place.owner.pathOf(*place.row), *place.vertex);
+    const bool moves = place.row->member == memberId<&MeshData::positions>;
+    submit(session, {.name = moves ? Sentence("Move vertex {0}", *place.vertex)
+                                   : Sentence("Change vertex {0}", *place.vertex),
+                     .edits = {edit::Set{path, formatNumbers(numbers)}},
+                     .path = path,
+                     .continues = true});
+}
+
 void assignCoord(const Session& session, const ParamPlace& place, int component, float number) {
     const Model& model = *static_cast<const Model*>(place.owner.values);
     const TexCoords coords = effectiveTexCoords(model, meshOf(model), placeUnitOf(*place.row));
@@ -78,7 +108,8 @@ std::optional<ParamPlace> placeOf(const Scene& scene, std::string_view path) {
         const std::string_view key = part.substr(0, part.find('['));
         const std::optional<std::size_t> index = placeIndexOf(part);
         if (const ParamRow* row = findParam(*table, key)) {
-            if (dot != std::string_view::npos || (index && row->kind != Kind::TexCoordList))
+            const bool isIndexed = row->kind == Kind::TexCoordList || table == &meshTable();
+            if (dot != std::string_view::npos || (index && !isIndexed))
                 return std::nullopt;
             place.owner.values = values;
             place.row = row;
@@ -97,7 +128,7 @@ std::optional<ParamPlace> placeOf(const Scene& scene, std::string_view path) {
 }
 
 float numberAt(const ParamPlace& place, int component) {
-    if (place.vertex) {
+    if (isTexCoord(place)) {
         const Model& model = *static_cast<const Model*>(place.owner.values);
         const TexCoords coords = effectiveTexCoords(model, meshOf(model), placeUnitOf(*place.row));
         return *place.vertex < coords.size() && component >= 0 && component < 4
@@ -105,6 +136,11 @@ float numberAt(const ParamPlace& place, int component) {
                    : 0.0F;
     }
     Value value = place.row->read(place.owner.values);
+    if (place.vertex) {
+        const std::span<float> numbers = numbersOf(value, *place.vertex);
+        const auto at = static_cast<std::size_t>(std::max(component, 0));
+        return at < numbers.size() ? numbers[at] : 0.0F;
+    }
     if (const int* whole = std::get_if<int>(&value))
         return static_cast<float>(*whole);
     const float* number = numberOf(value, component);
@@ -114,8 +150,10 @@ float numberAt(const ParamPlace& place, int component) {
 void assignNumber(const Session& session, const ParamPlace& place, int component, float number) {
     const Range range = rangeOf(place);
     number = std::clamp(number, range.min, range.max);
-    if (place.vertex)
+    if (isTexCoord(place))
         return assignCoord(session, place, component, number);
+    if (place.vertex)
+        return assignElement(session, place, component, number);
     Value value = place.row->read(place.owner.values);
     if (int* whole = std::get_if<int>(&value))
         *whole = static_cast<int>(std::lround(number));
@@ -125,7 +163,8 @@ void assignNumber(const Session& session, const ParamPlace& place, int component
 }
 
 Range rangeOf(const ParamPlace& place) {
-    return place.vertex ? coordRange : place.row->range;
+    const bool isUnlimited = place.vertex && place.row->kind != Kind::ColorList;
+    return isUnlimited ? coordRange : place.row->range;
 }
 
 } // namespace texplorer::ui

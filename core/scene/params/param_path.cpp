@@ -17,7 +17,7 @@
 namespace texplorer {
 namespace {
 
-/// Where a path leads: a row of the struct at `owner`, and for texture coordinates perhaps one vertex of it.
+/// Where a path leads: a row of the struct at `owner`, and for a list perhaps one vertex of it.
 struct Place {
     const StructTable* table = nullptr;
     void* owner = nullptr;
@@ -71,6 +71,30 @@ std::string pathBelow(const StructTable& table, std::string_view key) {
                                at.depth + 1});
     }
     return {};
+}
+
+/// Calls visit(list) with the list that a value is.
+template<class ListValue, class Visit>
+void visitList(ListValue& value, const Visit& visit) {
+    std::visit(
+        [&]<class Each>(Each& each) {
+            if constexpr (requires { each.front(); } &&
+                          !std::is_same_v<std::remove_const_t<Each>, std::string>)
+                visit(each);
+        },
+        value);
+}
+
+std::size_t sizeOf(const Value& list) {
+    std::size_t size = 0;
+    visitList(list, [&](const auto& each) { size = each.size(); });
+    return size;
+}
+
+/// The list with one of its elements alone.
+Value elementAlone(Value list, std::size_t index) {
+    visitList(list, [&](auto& each) { each = {each[index]}; });
+    return list;
 }
 
 class Walker {
@@ -144,15 +168,26 @@ private:
         place_.row = &row;
         if (!part.index)
             return {};
-        if (row.member != memberId<&Model::texCoords>)
+        const bool isCoords = row.member == memberId<&Model::texCoords>;
+        if (!isCoords && (place_.table != &meshTable() || !isList(row.kind)))
             return refuse(isList(row.kind) ? "it is set as a whole: expected no index"
                                            : N_("it is a single value: expected no index"));
-        const Model& model = *static_cast<const Model*>(place_.owner);
-        const std::size_t count = vertexCountOf(model);
         place_.vertex = parseIndex(*part.index);
         if (!place_.vertex)
             return refuse(Sentence("expected the number of a vertex in the brackets, found {0}",
                                    inQuotes(*part.index)));
+        return isCoords ? checkVertex(*static_cast<const Model*>(place_.owner)) : checkElement(row);
+    }
+
+    [[nodiscard]] Result<void> checkElement(const ParamRow& row) const {
+        const std::size_t count = sizeOf(row.read(place_.owner));
+        if (*place_.vertex >= count)
+            return refuse(Sentence("expected an existing index, counted from 0; the list has {0}", count));
+        return {};
+    }
+
+    [[nodiscard]] Result<void> checkVertex(const Model& model) const {
+        const std::size_t count = vertexCountOf(model);
         if (*place_.vertex >= count)
             return refuse(count == 0 ? "the mesh has no vertices"
                                      : Sentence("the {0} has {1} vertices, expected 0 to {2}",
@@ -230,15 +265,31 @@ Result<void> checkInScene(const Scene& scene, const Place& place) {
     return {};
 }
 
+/// A list of one element.
+Result<Value> parseElement(const ParamRow& row, std::string_view text) {
+    Result<Value> parsed = parseValue(row, text);
+    if (const std::size_t count = parsed ? sizeOf(*parsed) : 1; count != 1)
+        return fail(ErrorCode::OutOfRange, Sentence("expected the value of one vertex, found {0}", count));
+    return parsed;
+}
+
 /// What a text says there: of a single vertex the whole list, with that one changed.
 Result<Value> valueOf(const Place& place, std::string_view text) {
     if (!place.vertex)
         return parseValue(*place.row, text);
-    const auto coord = parseTexCoord(text);
-    if (!coord)
-        return fail(coord.error());
-    TexCoords list = filledTexCoords(place);
-    list[*place.vertex] = *coord;
+    if (place.row->member == memberId<&Model::texCoords>) {
+        const auto coord = parseTexCoord(text);
+        if (!coord)
+            return fail(coord.error());
+        TexCoords list = filledTexCoords(place);
+        list[*place.vertex] = *coord;
+        return list;
+    }
+    const Result<Value> element = parseElement(*place.row, text);
+    if (!element)
+        return fail(element.error());
+    Value list = place.row->read(place.owner);
+    visitList(list, [&]<class List>(List& each) { each[*place.vertex] = std::get<List>(*element).front(); });
     return list;
 }
 
@@ -290,9 +341,10 @@ Result<std::string> getParam(const Scene& scene, std::string_view path) {
     const auto place = Walker(const_cast<Scene&>(scene), path).walk(); // only read below
     if (!place)
         return fail(place.error());
-    if (place->vertex)
+    if (place->vertex && place->row->member == memberId<&Model::texCoords>)
         return formatTexCoord(filledTexCoords(*place)[*place->vertex]);
-    return formatValue(*place->row, place->row->read(place->owner));
+    const Value value = place->row->read(place->owner);
+    return formatValue(*place->row, place->vertex ? elementAlone(value, *place->vertex) : value);
 }
 
 Result<void> setParam(Scene& scene, std::string_view path, std::string_view text) {
@@ -349,11 +401,11 @@ Result<void> checkMovable(const Scene& scene, std::string_view path, std::string
     };
     if (place->table == &keyFrameTable())
         return refuse(timelineMoved());
-    if (place->vertex) {
+    if (place->vertex && place->row->member == memberId<&Model::texCoords>) {
         const auto coord = parseTexCoord(text);
         return coord ? Result<void>() : refuse(coord.error());
     }
-    const auto value = parseValue(*place->row, text);
+    const auto value = place->vertex ? parseElement(*place->row, text) : parseValue(*place->row, text);
     if (!value)
         return refuse(value.error());
     if (place->row->member == memberId<&Pass::models>) {

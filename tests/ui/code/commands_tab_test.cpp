@@ -136,6 +136,26 @@ TEST_F(CommandsTab, ACoordinateOfAVertexIsDragged) {
     EXPECT_TRUE(scene().models[0].texCoords[0].empty());
 }
 
+TEST_F(CommandsTab, APositionAndANormalOfAMeshAreDragged) {
+    Scene start = defaultScene();
+    start.models.resize(1);
+    Model& model = start.models[0];
+    model.shape = Shape::Mesh;
+    model.mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+    model.mesh.normals = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
+    this->start(std::move(start));
+    show();
+    drag(find("command:models[0].mesh.positions[1][0]"), {40, 0}); // 0.005 a pixel
+    EXPECT_NEAR(scene().models[0].mesh.positions[1].x, 1.2F, 0.006F);
+    EXPECT_EQ(scene().models[0].mesh.positions[1].y, -1);
+    drag(find("command:models[0].mesh.normals[0][2]"), {-40, 0});
+    EXPECT_NEAR(scene().models[0].mesh.normals[0].z, 0.8F, 0.006F);
+    key('Z', {ctrl});
+    key('Z', {ctrl});
+    EXPECT_EQ(scene().models[0].mesh.positions[1].x, 1);
+    EXPECT_EQ(scene().models[0].mesh.normals[0].z, 1);
+}
+
 TEST_F(CommandsTab, LeadsToAFile) {
     click("commands:export");
     click("menu:C with OpenGL 3.3");

@@ -115,6 +115,40 @@ TEST(ParamPath, TexCoordsOfAModelAreFilledFromItsMeshFirst) {
     EXPECT_EQ(scene, defaultScene());
 }
 
+TEST(ParamPath, VerticesOfAMeshAreSetOneByOne) {
+    Scene scene = defaultScene();
+    scene.models[0].shape = Shape::Mesh;
+    MeshData& mesh = scene.models[0].mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.colors = {{1, 0, 0, 1}, {0, 1, 0, 0.5F}, {0, 0, 1, 1}};
+    mesh.indices = {0, 1, 2};
+    ASSERT_TRUE(setParam(scene, "models[0].mesh.positions[1]", "2,0.5,-1"));
+    EXPECT_THAT(mesh.positions,
+                testing::ElementsAre(glm::vec3(0), glm::vec3(2, 0.5F, -1), glm::vec3(0, 1, 0)));
+    ASSERT_TRUE(setParam(scene, "models[0].mesh.indices[2]", "1"));
+    EXPECT_THAT(mesh.indices, testing::ElementsAre(0, 1, 1));
+    EXPECT_EQ(getParam(scene, "models[0].mesh.positions[1]").value_or("?"), "2,0.5,-1");
+    EXPECT_EQ(getParam(scene, "models[0].mesh.colors[1]").value_or("?"), "0,1,0,0.5");
+    const auto refused = [&](std::string_view path, std::string_view text) {
+        const auto set = setParam(scene, path, text);
+        return set ? Sentence("set") : describe(set.error());
+    };
+    EXPECT_EQ(refused("models[0].mesh.positions[3]", "0,0,0"),
+              "models[0].mesh.positions[3]: expected an existing index, counted from 0; the list has 3");
+    EXPECT_EQ(refused("models[0].mesh.normals[0]", "0,0,1"),
+              "models[0].mesh.normals[0]: expected an existing index, counted from 0; the list has 0");
+    EXPECT_EQ(refused("models[0].mesh.positions[0]", "0,0,0;1,1,1"),
+              "models[0].mesh.positions[0]: expected the value of one vertex, found 2");
+    EXPECT_EQ(refused("models[0].mesh.positions[0]", ""),
+              "models[0].mesh.positions[0]: expected the value of one vertex, found 0");
+    EXPECT_EQ(mesh.positions.size(), 3U);
+    Scene moved = scene;
+    ASSERT_TRUE(putBetween(moved, "models[0].mesh.positions[0]", "0,0,0", "1,2,4", 0.5));
+    EXPECT_EQ(moved.models[0].mesh.positions[0], glm::vec3(0.5F, 1, 2));
+    EXPECT_TRUE(checkMovable(scene, "models[0].mesh.positions[0]", "1,1,1"));
+    EXPECT_FALSE(checkMovable(scene, "models[0].mesh.positions[0]", "1,1"));
+}
+
 TEST(ParamPath, ADisabledUnitMayAskForATextureThatComesLater) {
     Scene scene;
     ASSERT_TRUE(setParam(scene, "passes[0].units[1].texture", "5"));
