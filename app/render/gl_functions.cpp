@@ -71,6 +71,7 @@ constexpr auto functions = std::to_array<GlFunction>({
     TEXPLORER_GL(glFramebufferTexture2D, framebuffers, true),
     TEXPLORER_GL(glGenFramebuffers, framebuffers, true),
     TEXPLORER_GL(glGenRenderbuffers, framebuffers, true),
+    TEXPLORER_GL(glGenerateMipmap, framebuffers, true),
     TEXPLORER_GL(glRenderbufferStorage, framebuffers, true),
     TEXPLORER_GL(glGetStringi, N_("OpenGL 3.0"), false),
     TEXPLORER_GL(glProvokingVertex, "GL_ARB_provoking_vertex", false),

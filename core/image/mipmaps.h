@@ -38,8 +38,9 @@ inline constexpr std::array mipPolicyRows{
         "The driver makes the levels after the upload of the base, usually with a box filter. A function of "
         "OpenGL 3.0 and GL_ARB_framebuffer_object."),
     row(MipPolicy::OnUpload, "GL_GENERATE_MIPMAP", "GL_GENERATE_MIPMAP",
-        "The parameter of a texture that makes the driver make the levels with every upload of the base. "
-        "OpenGL 3.1 removed it."),
+        "A parameter of the texture: the driver makes the levels with every upload of the base. OpenGL 3.1 "
+        "removed it.",
+        "1.4"),
     row(MipPolicy::Glu, "gluBuild2DMipmaps", "gluBuild2DMipmaps",
         "GLU scales the image to powers of two, makes the levels with a box filter and uploads all of them."),
 };

@@ -52,7 +52,7 @@ struct Uses {
 void addTexture(Uses& uses, const Texture& texture) {
     const bool hasLevels = reference::wantsMipmaps(texture.minFilter);
     const bool isForeign = texture.mipmaps == MipPolicy::Given || texture.mipmaps == MipPolicy::Colored ||
-                           texture.mipmaps == MipPolicy::FromFile;
+                           texture.mipmaps == MipPolicy::FromFile || isMadeByDriver(texture.mipmaps);
     uses.textures = true;
     uses.anisotropy = uses.anisotropy || texture.maxAnisotropy > 1;
     uses.foreignLevels = uses.foreignLevels || (hasLevels && isForeign);

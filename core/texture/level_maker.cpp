@@ -35,13 +35,7 @@ bool areDepths(const TextureImage& image) {
 } // namespace
 
 Texture settingsFor(const Texture& texture, const TextureImage& image) {
-    Texture settings = texture;
-    if (texture.mipmaps == MipPolicy::Glu)
-        settings.npot = NpotPolicy::PowerOfTwo;
-    if (texture.mipmaps == MipPolicy::Glu || isMadeByDriver(texture.mipmaps)) {
-        settings.mipFilter = MipFilter::Box;
-        settings.mipGamma = isMadeByDriver(texture.mipmaps) && isSrgb(texture.internalFormat);
-    }
+    Texture settings = withGeneratedLevels(texture);
     if (!areDepths(image) || !isDepth(texture.internalFormat))
         return settings;
     if (texture.mipmaps != MipPolicy::FromFile)
@@ -277,7 +271,6 @@ Result<TextureLevels> LevelMaker::run() {
     if (texture_.mipmaps == MipPolicy::Missing)
         leaveOneOut();
     out_.internalFormat = texture_.internalFormat;
-    out_.madeByDriver = isMadeByDriver(texture_.mipmaps) && !isDepth(out_.internalFormat);
     roundToBits();
     return std::move(out_);
 }

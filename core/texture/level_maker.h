@@ -84,7 +84,8 @@ private:
         return texture_.mipmaps == MipPolicy::FromFile || texture_.mipmaps == MipPolicy::Given;
     }
     [[nodiscard]] bool generates() const {
-        return averages(texture_.mipmaps) || texture_.mipmaps == MipPolicy::Colored;
+        return texture_.mipmaps == MipPolicy::Generated || texture_.mipmaps == MipPolicy::Colored ||
+               texture_.mipmaps == MipPolicy::Missing;
     }
     [[nodiscard]] bool hasBorder() const { return texture_.border != 0; }
     [[nodiscard]] const Surface& base() const { return image_.surface(0, 0); }

@@ -12,6 +12,12 @@ namespace texplorer {
 
 namespace {
 
+/// Whether the base is uploaded as pixels with colours: of others a driver makes no levels.
+bool areColors(const TextureLevels& levels) {
+    return !isDepth(levels.internalFormat) && !levels.levels.empty() &&
+           std::holds_alternative<Image>(*levels.levels.front().surface);
+}
+
 Result<TextureLevels> run(const Texture& texture, const TexturePictures& pictures, Target target,
                           const LevelWork& work, bool lends) {
     const TextureImage& image = *pictures.base;
@@ -19,6 +25,8 @@ Result<TextureLevels> run(const Texture& texture, const TexturePictures& picture
         return fail(ErrorCode::Malformed, "the image is empty");
     try {
         Result<TextureLevels> made = LevelMaker(texture, pictures, target, work, lends).run();
+        if (made)
+            made->madeByDriver = isMadeByDriver(texture.mipmaps) && areColors(*made);
         const bool wanted = texture.mipmaps != MipPolicy::None;
         if (made && wanted && settingsFor(texture, image).mipmaps == MipPolicy::None)
             made->notes.emplace_back(N_("a shadow map has no mip levels: there is only a base level"));
@@ -63,6 +71,19 @@ void decompress(TextureLevels& levels) {
     if (levels.driverFormat)
         levels.internalFormat = internalFormat(baseFormat(*levels.driverFormat));
     levels.driverFormat.reset();
+}
+
+Texture withGeneratedLevels(const Texture& texture) {
+    const bool byDriver = isMadeByDriver(texture.mipmaps);
+    if (!byDriver && texture.mipmaps != MipPolicy::Glu)
+        return texture;
+    Texture settings = texture;
+    settings.mipmaps = MipPolicy::Generated;
+    settings.mipFilter = MipFilter::Box;
+    settings.mipGamma = byDriver && isSrgb(texture.internalFormat); // as Mesa
+    if (!byDriver)
+        settings.npot = NpotPolicy::PowerOfTwo;
+    return settings;
 }
 
 Texture imageSettings(const Texture& texture) {

@@ -39,8 +39,8 @@ struct TextureLevels {
     /// Of levels that are uploaded as pixels and not compressed.
     InternalFormat internalFormat = InternalFormat::Rgba;
     std::optional<BlockFormat> driverFormat; ///< the format that the driver compresses to
-    /// The upload leaves the levels above the base to the driver. These are the same but for its rounding,
-    /// and for its weights where an extent is odd.
+    /// The upload leaves the levels above the base to the driver, which can make them of colours alone. These
+    /// are the same but for its rounding, and for its weights where an extent is odd.
     bool madeByDriver = false;
     /// The source of compressed levels, in the same order, to measure the loss. Empty if nothing was
     /// compressed here.
@@ -91,6 +91,10 @@ void eachPreparationStep(const Texture& texture, const TexturePictures& pictures
 /// Decompresses every level to 8 bits per component of the blocks' base format, for drivers without S3TC. The
 /// other members are unchanged.
 void decompress(TextureLevels& levels);
+
+/// Returns the texture with MipPolicy::Generated and the settings that make the levels of a mipmap function
+/// of OpenGL or GLU; unchanged if it calls none.
+[[nodiscard]] Texture withGeneratedLevels(const Texture& texture);
 
 /// Returns the texture with every parameter that prepareLevels ignores at its initial value: textures with
 /// equal results have equal levels.

@@ -346,7 +346,8 @@ void takeAwayWhatDiffers(Scene& scene) {
     for (Texture& texture : scene.textures) {
         texture.border = 0;
         texture.maxAnisotropy = 1;
-        if (texture.mipmaps == MipPolicy::None || texture.mipmaps == MipPolicy::Missing)
+        const bool isIncomplete = texture.mipmaps == MipPolicy::None || texture.mipmaps == MipPolicy::Missing;
+        if (isIncomplete || isMadeByDriver(texture.mipmaps))
             texture.mipmaps = MipPolicy::Generated; // an incomplete texture is not visible
         if (texture.compression == Compression::Driver)
             texture.compression = Compression::FromFile;

@@ -76,7 +76,7 @@ TEST(LevelPlan, AgreesWithTheLevelsThatAreMade) {
                             ++compared;
                         }
     }
-    EXPECT_EQ(compared, 10 * 6 * 2 * 4 * 5 * 4 * 2);
+    EXPECT_EQ(compared, 10 * 9 * 2 * 4 * 5 * 4 * 2);
 }
 
 TEST(LevelPlan, OfNothingIsEmpty) {

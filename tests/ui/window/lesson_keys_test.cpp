@@ -82,7 +82,7 @@ TEST_F(LessonKeys, FTakesTheNextFilterInTheCameraAsItIs) {
     EXPECT_EQ(texture().minFilter, MinFilter::Linear);
     key('F');
     EXPECT_EQ(texture().minFilter, MinFilter::LinearMipmapNearest);
-    EXPECT_EQ(texture().mipmaps, MipPolicy::Generated);
+    EXPECT_EQ(texture().mipmaps, MipPolicy::Glu);
     EXPECT_EQ(scene().textures[2].minFilter, MinFilter::LinearMipmapNearest);
     key('F');
     EXPECT_EQ(texture().magFilter, MagFilter::Nearest);
