@@ -105,7 +105,9 @@ std::vector<std::optional<TexelRequest>> texelRequests(const Scene& scene, const
         std::optional<TexelRequest>& request = requests.emplace_back();
         if (!pictures.base || !hasPixels(*pictures.base))
             continue;
-        request.emplace(TexelRequest{{std::move(pictures), imageSettings(texture), object.target}});
+        request.emplace(TexelRequest{
+            {std::move(pictures),
+             imageSettings(options.selfContained ? withGeneratedLevels(texture) : texture), object.target}});
         if (mayRead(texture, images, options)) {
             request->file = images.directory() / texture.file;
             request->fileInMemory = images.fileInMemory(texture.file);

@@ -1,7 +1,6 @@
 // The texels of a texture object: what glTexImage is given.
 
 #include "texplorer/base/sentence_format.h"
-#include "texplorer/diagnosis/applied_texture.h"
 #include "texplorer/emit/emission.h"
 #include "texplorer/gl/argument_names.h"
 #include "texplorer/gl/core_format.h"
@@ -31,20 +30,6 @@ std::string listed(std::span<const std::uint8_t> bytes) {
     return text;
 }
 
-/// Where a renderer gives OpenGL another than the scene's.
-void writeMaxLevel(CodeWriter& writer, const Holder& holder, const Texture& texture,
-                   const TextureCode& code) {
-    const int level = appliedTexture(texture, code.shape, code.lastLevel, {}).texture.maxLevel;
-    if (level == texture.maxLevel)
-        return;
-    const bool isFew = level < texture.maxLevel;
-    writer.add({call("glTexParameteri"),
-                plain(fmt::format("({}, {}, {}); ", rowOf(holder.target).name,
-                                  glNameOf(*findParam(textureTable(), keyOf<&Texture::maxLevel>())), level)),
-                {Part::Kind::Comment, isFew ? "/* there are no more levels */"
-                                            : "/* at least the base level, or Mesa crashes */"}});
-}
-
 class TexelWriter {
 public:
     TexelWriter(Emission& emission, const Holder& holder, const Texture& texture,
@@ -57,7 +42,6 @@ public:
         , code_(**owner_) {}
 
     void write() {
-        writeMaxLevel(writer_, holder_, texture_, code_);
         if (code_.reader == FileReader::Dds) {
             emission_.use(CFunction::ReadDds);
             return writer_.add({plain("readDds("), path(),
@@ -76,10 +60,24 @@ private:
         std::string texels = makeTexels(level, !group.isOne());
         if (group.isOne()) {
             const std::string number = std::to_string(level.number);
-            return upload(
-                number,
-                {std::to_string(level.width), std::to_string(level.height), std::to_string(level.depth)},
-                level, faceOf(texels, level));
+            if (code_.mipmaps == MipPolicy::Glu)
+                return build(level, faceOf(texels, level));
+            if (code_.mipmaps == MipPolicy::OnUpload && !emission_.isCore)
+                writer_.add({call("glTexParameteri"),
+                             plain(fmt::format("({}, ", rowOf(holder_.target).name)),
+                             choice(rowOf(code_.mipmaps).name, pathOf(keyOf<&Texture::mipmaps>())),
+                             plain(", GL_TRUE); "),
+                             {Part::Kind::Comment, "/* makes levels with each upload */"}});
+            upload(number,
+                   {std::to_string(level.width), std::to_string(level.height), std::to_string(level.depth)},
+                   level, faceOf(texels, level));
+            if (code_.mipmaps == MipPolicy::GenerateMipmap ||
+                (code_.mipmaps == MipPolicy::OnUpload && emission_.isCore))
+                writer_.add({call("glGenerateMipmap"),
+                             plain(fmt::format("({}); ", rowOf(holder_.target).name)),
+                             {Part::Kind::Comment, "/* makes the levels above it */",
+                              pathOf(keyOf<&Texture::mipmaps>())}});
+            return;
         }
         emission_.use(CFunction::Halve);
         if (isCube()) {
@@ -242,13 +240,37 @@ private:
                                of.bytes.size() / static_cast<std::size_t>(code_.faces), texels))});
     }
 
+    /// gluBuild2DMipmaps, for each face.
+    void build(const LevelCode& level, const std::string& texels) {
+        ParamRow row = formatRow();
+        row.glCall = "gluBuild{n}DMipmaps({image}, {}, {extents}, format, GL_UNSIGNED_BYTE, pixels)";
+        const std::array size{std::to_string(level.width), std::to_string(level.height),
+                              std::to_string(level.depth)};
+        if (isCube()) {
+            writer_.add("for (GLenum face = 0; face < 6; ++face)");
+            writer_.indent();
+        }
+        writer_.add(imageCall(row, {}, size, texels));
+        if (isCube())
+            writer_.outdent();
+    }
+
+    [[nodiscard]] ParamRow formatRow() const {
+        return *findParam(textureTable(), code_.driverCompresses ? keyOf<&Texture::compressedFormat>()
+                                                                 : keyOf<&Texture::internalFormat>());
+    }
+
     /// glTexImage with all of its arguments.
     [[nodiscard]] std::vector<Part> imageCall(const std::string& level,
                                               const std::array<std::string, 3>& size,
                                               const std::string& texels, bool depths = false) const {
-        const std::string& key =
-            code_.driverCompresses ? keyOf<&Texture::compressedFormat>() : keyOf<&Texture::internalFormat>();
-        const ParamRow& row = *findParam(textureTable(), key);
+        return imageCall(formatRow(), level, size, texels, depths);
+    }
+
+    /// The call of a row, with all of its arguments.
+    [[nodiscard]] std::vector<Part> imageCall(const ParamRow& row, const std::string& level,
+                                              const std::array<std::string, 3>& size,
+                                              const std::string& texels, bool depths = false) const {
         const EnumRow* format = findRow(row.choices, std::get<EnumValue>(row.read(&texture_)).number);
         std::string words = callFor(row, holder_.target);
         const std::size_t bracket = words.find('(');
@@ -297,8 +319,6 @@ private:
 void writeDepthsOfLight(Emission& emission, const Holder& holder, const Texture& texture,
                         std::size_t object) {
     CodeWriter& writer = emission.writer;
-    if (const auto& code = emission.texels[object]; code && *code)
-        writeMaxLevel(writer, holder, texture, **code);
     const Part size =
         whole(texture.depthSize, fmt::format("{}.{}", holder.path, keyOf<&Texture::depthSize>()));
     writer.add({call("glTexImage2D"), plain(fmt::format("({}, 0, ", rowOf(holder.target).name)),

@@ -75,6 +75,7 @@ public:
     void declare() {
         switch (form_.drawing) {
         case Drawing::None:
+        case Drawing::Quadric:
             break;
         case Drawing::Shape:
             emission_.atStart.add({plain(fmt::format("static Mesh {}; ", variable_)), nameComment()});
@@ -132,7 +133,7 @@ public:
 
     void drawShape() {
         writer_.heading(fmt::format("model {}: {}", index_, nameOf(model_)));
-        writer_.add("glPushMatrix();", isPlaced());
+        writer_.add("glPushMatrix();", movesMatrix());
         place(false);
         const auto sized = [&](const std::string& stride, const std::string& vertices) {
             writer_.add("glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);");
@@ -141,6 +142,9 @@ public:
         };
         switch (form_.drawing) {
         case Drawing::None:
+            break;
+        case Drawing::Quadric:
+            drawQuadric();
             break;
         case Drawing::List:
             writer_.add(fmt::format("glCallList({});", variable_));
@@ -154,12 +158,12 @@ public:
             drawElements();
             break;
         }
-        writer_.add("glPopMatrix();", isPlaced());
+        writer_.add("glPopMatrix();", movesMatrix());
     }
 
     void draw(const Pass& pass) {
         writer_.heading(fmt::format("model {}: {}", index_, nameOf(model_)));
-        writer_.add("glPushMatrix();", isPlaced());
+        writer_.add("glPushMatrix();", movesMatrix());
         place();
         writeMaterial(emission_, index_);
         switch (form_.drawing) {
@@ -168,6 +172,9 @@ public:
         case Drawing::List:
             writeSize();
             writer_.add(fmt::format("glCallList({});", variable_));
+            break;
+        case Drawing::Quadric:
+            drawQuadric();
             break;
         case Drawing::Shape:
             drawShape(pass);
@@ -178,7 +185,7 @@ public:
         }
         if (isColored()) // glColor is the last vertex's
             writer_.forget(fmt::format("{}.{}", keyOf<&Scene::material>(), keyOf<&Material::color>()));
-        writer_.add("glPopMatrix();", isPlaced());
+        writer_.add("glPopMatrix();", movesMatrix());
     }
 
 private:
@@ -324,6 +331,52 @@ private:
                model_.spin != glm::vec3(0) || model_.size != 1 || model_.scale != glm::vec3(1);
     }
 
+    /// Whether what follows must not see its matrix.
+    [[nodiscard]] bool movesMatrix() const {
+        return isPlaced() || (form_.drawing == Drawing::Quadric && isUpright());
+    }
+
+    /// Whether its axis is y: that of GLU's is z.
+    [[nodiscard]] bool isUpright() const {
+        return model_.shape == Shape::Sphere || model_.shape == Shape::Cylinder;
+    }
+
+    /// "gluSphere(quadric, 1.0, 32, 16);"
+    void drawQuadric() {
+        const auto real = [&](float value, const std::string& key) {
+            return number(value, own(key), -1, Literal::Double);
+        };
+        const Part slices = whole(model_.slices, own(keyOf<&Model::slices>()));
+        const Part stacks = whole(model_.stacks, own(keyOf<&Model::stacks>()));
+        const Part comma = plain(", ");
+        if (isUpright())
+            writer_.add({call("glRotatef"),
+                         plain("(-90.0f, 1.0f, 0.0f, 0.0f); "),
+                         {Part::Kind::Comment, "/* GLU's axis is z */"}});
+        switch (model_.shape) {
+        case Shape::Sphere:
+            return writer_.add(callWith("gluSphere", {plain("quadric, 1.0, "), slices, comma, stacks}));
+        case Shape::Cylinder:
+            writer_.add("glTranslatef(0.0f, 0.0f, -1.0f);");
+            return writer_.add(callWith("gluCylinder", {plain("quadric, 1.0, "),
+                                                        real(model_.topRadius, keyOf<&Model::topRadius>()),
+                                                        plain(", 2.0, "), slices, comma, stacks}));
+        default:
+            break;
+        }
+        const bool isWhole = model_.shape == Shape::Disk;
+        std::vector<Part> arguments{plain("quadric, "),
+                                    real(model_.innerRadius, keyOf<&Model::innerRadius>()),
+                                    plain(", 1.0, "),
+                                    slices,
+                                    comma,
+                                    stacks};
+        if (!isWhole)
+            append(arguments, {comma, real(model_.startAngle, keyOf<&Model::startAngle>()), comma,
+                               real(model_.sweepAngle, keyOf<&Model::sweepAngle>())});
+        writer_.add(callWith(isWhole ? "gluDisk" : "gluPartialDisk", std::move(arguments)));
+    }
+
     void place(bool beforeTheEye = true) {
         if (model_.attachment == Attachment::Eye && beforeTheEye)
             writer_.add("glLoadIdentity();");
@@ -400,14 +453,25 @@ private:
             writeFace(i);
             if (emission_.needsNormals && normal != normalOf(vertex)) {
                 normal = normalOf(vertex);
-                writer_.add(callWith("glNormal3f", numbers({&normal->x, 3})));
+                writer_.add(callWith("glNormal3f",
+                                     numbers({&normal->x, 3}, meshPath<&MeshData::normals>(i, *normal))));
             }
             if (isColored())
-                writer_.add(callWith("glColor4f", numbers({&vertex.color.x, 4})));
+                writer_.add(callWith("glColor4f", numbers({&vertex.color.x, 4},
+                                                          meshPath<&MeshData::colors>(i, vertex.color))));
             writeVertex(coords, i);
         }
         writer_.add("glEnd();");
         writer_.add("glEndList();");
+    }
+
+    /// The parameter that a vertex has a value from; empty: none.
+    template<auto List>
+    [[nodiscard]] std::string meshPath(std::size_t vertex, const auto& value) const {
+        const auto& rows = model_.mesh.*List;
+        if (model_.shape != Shape::Mesh || vertex >= rows.size() || rows[vertex] != value)
+            return {};
+        return own(fmt::format("{}.{}[{}]", keyOf<&Model::mesh>(), keyOf<List>(), vertex));
     }
 
     /// Which face begins with a vertex, of a shape that has several.
@@ -447,7 +511,9 @@ private:
                                    std::move(arguments)));
             parts.push_back(plain(" "));
         }
-        append(parts, callWith("glVertex3f", numbers({&mesh_.vertices[vertex].position.x, 3})));
+        const glm::vec3& position = mesh_.vertices[vertex].position;
+        append(parts, callWith("glVertex3f",
+                               numbers({&position.x, 3}, meshPath<&MeshData::positions>(vertex, position))));
         writer_.add(std::move(parts));
     }
 

@@ -107,6 +107,24 @@ void refuseMaxLevel(Emission& emission, std::size_t object) {
         emission.keys.refuse(path);
 }
 
+/// Where a renderer gives OpenGL another than the scene's.
+void writeMaxLevel(Emission& emission, const Holder& holder, std::size_t object) {
+    const Texture& texture = emission.scene.textures[emission.objects[object].texture];
+    const auto& code = emission.texels[object];
+    if (!code || !*code || (texture.source == SourceKind::LightDepth && !isShadowMap(emission, object)))
+        return;
+    const int level = appliedTexture(texture, (*code)->shape, (*code)->lastLevel, {}).texture.maxLevel;
+    if (level == texture.maxLevel)
+        return;
+    const bool isFew = level < texture.maxLevel;
+    emission.writer.add(
+        {call("glTexParameteri"),
+         plain(fmt::format("({}, {}, {}); ", rowOf(holder.target).name,
+                           glNameOf(*findParam(textureTable(), keyOf<&Texture::maxLevel>())), level)),
+         {Part::Kind::Comment,
+          isFew ? "/* there are no more levels */" : "/* at least the base level, or Mesa crashes */"}});
+}
+
 void writeTexture(Emission& emission, std::size_t object) {
     static const Texture initial;
     const auto [index, target] = emission.objects[object];
@@ -119,10 +137,17 @@ void writeTexture(Emission& emission, std::size_t object) {
     writer.open(fmt::format("static void loadTexture{}(void)", object));
     writer.add(
         callWith("glBindTexture", {plain(fmt::format("{}, textures[{}]", rowOf(target).name, object))}));
+    const auto& code = emission.texels[object];
+    const bool levelsFirst =
+        code && *code && isMadeByDriver((*code)->mipmaps); // they begin at the base level
+    if (levelsFirst)
+        writeTexels(emission, holder, object);
     writeParameters(emission, texture, object);
     if (emission.isCore && emission.texels[object] && *emission.texels[object])
         writeSwizzle(emission, (*emission.texels[object])->shape, target);
-    writeTexels(emission, holder, object);
+    writeMaxLevel(emission, holder, object);
+    if (!levelsFirst)
+        writeTexels(emission, holder, object);
     writer.close();
 }
 

@@ -77,7 +77,12 @@ public:
         : emission_(emission)
         , writer_(emission.writer)
         , start_(start)
-        , passes_(drawnPasses(emission.scene)) {}
+        , passes_(drawnPasses(emission.scene)) {
+        for (std::size_t m = 0; m < emission.models.size() && !emission.options.selfContained; ++m) {
+            if (isQuadric(emission.scene, m, emission.models[m]))
+                emission.models[m].drawing = Drawing::Quadric;
+        }
+    }
 
     void write() {
         writeTextures(emission_);
@@ -140,6 +145,12 @@ private:
                 writer_.add(fmt::format("loadTexture{}();", i));
         }
         writer_.heading(keyOf<&Scene::models>());
+        if (std::ranges::find(emission_.models, Drawing::Quadric, &ModelForm::drawing) !=
+            emission_.models.end()) {
+            emission_.atStart.add("static GLUquadric *quadric; /* what GLU's shapes are drawn with */");
+            writer_.add("quadric = gluNewQuadric();");
+            writer_.add("gluQuadricTexture(quadric, GL_TRUE); /* they have texture coordinates */");
+        }
         for (std::size_t m = 0; m < emission_.scene.models.size(); ++m)
             writeModelSetup(emission_, m);
         writeLight(emission_);

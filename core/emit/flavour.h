@@ -17,9 +17,25 @@ inline constexpr std::array flavourRows{
 };
 static_assert(flavourRows.size() == 2);
 
+/// Where a program gets the functions of OpenGL after 1.1 from.
+enum class Loader : std::uint32_t { Prototypes, Glew, Glad };
+
+inline constexpr std::array loaderRows{
+    row(Loader::Prototypes, "prototypes", "OpenGL's library",
+        "GL_GLEXT_PROTOTYPES: the library has all functions, as on Linux and macOS."),
+    row(Loader::Glew, "glew", "GLEW", "For Windows, too, whose library ends with OpenGL 1.1."),
+    row(Loader::Glad, "glad", "glad 2",
+        "For Windows, too. Needs the files that \"glad --api gl:compatibility --out-path glad c\" writes."),
+};
+static_assert(loaderRows.size() == 3);
+
 } // namespace texplorer::emit
 
 template<>
 struct texplorer::EnumTable<texplorer::emit::Flavour> {
     static constexpr std::span<const EnumRow> rows = texplorer::emit::flavourRows;
+};
+template<>
+struct texplorer::EnumTable<texplorer::emit::Loader> {
+    static constexpr std::span<const EnumRow> rows = texplorer::emit::loaderRows;
 };

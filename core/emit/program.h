@@ -27,6 +27,10 @@ struct ProgramOptions {
     std::string source = "demo.c";   ///< what the file is called: for the line that compiles it
     int width = 640;                 ///< of the window, in pixels
     int height = 480;
+    Loader loader = Loader::Prototypes;
+    /// Calls nothing but OpenGL, GLFW and C's library: makes mip levels and quadrics itself instead of
+    /// telling the driver or GLU to.
+    bool selfContained = false;
     /// Parameters whose calls have a word on what they do before them, and stand there even where they set
     /// what OpenGL starts with.
     std::set<std::string, std::less<>> explained{};
@@ -94,6 +98,9 @@ private:
 
 /// A program with key frames is written once for each value that one of them jumps to: so many at most.
 inline constexpr std::size_t maxSwitchedValues = 128;
+
+/// A CMakeLists.txt for the program, in the file options.source, with the libraries that it needs.
+[[nodiscard]] std::string cmakeLists(const std::vector<Line>& program, const ProgramOptions& options);
 
 /// Meshes of more vertices are data at the end of the program.
 inline constexpr std::size_t maxWrittenVertices = 64;

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 namespace texplorer::emit {
@@ -36,13 +37,68 @@ std::string fileWord(const std::string& name) {
     return shellWord(name.starts_with('-') ? "./" + name : name);
 }
 
+/// What a loader needs of the frame.
+struct LoaderCode {
+    std::string_view headers;   ///< "": those of every program
+    std::string_view compiled;  ///< files and options of the compiler
+    std::string_view library;   ///< before those of OpenGL
+    std::string_view condition; ///< under which it can't load; "": it doesn't
+};
+
+/// In the order of Loader.
+constexpr std::array loaderCodes{
+    LoaderCode{},
+    LoaderCode{"#include <GL/glew.h> /* functions of OpenGL after 1.1; before other headers of OpenGL */\n",
+               "", " -lGLEW", "loaded != GLEW_OK && loaded != GLEW_ERROR_NO_GLX_DISPLAY /* of Wayland */"},
+    LoaderCode{"#include <glad/gl.h> /* glad --api gl:compatibility --out-path glad c */\n",
+               " glad/src/gl.c -Iglad/include", "", "!gladLoadGL(glfwGetProcAddress)"},
+};
+
+const LoaderCode& codeOf(Loader loader) {
+    return loaderCodes.at(static_cast<std::size_t>(loader));
+}
+
+bool callsGlu(const std::vector<Line>& lines) {
+    return std::ranges::any_of(lines, [](const Line& line) {
+        return std::ranges::any_of(line.parts, [](const Part& part) {
+            return part.kind == Part::Kind::Call && part.text.starts_with("glu");
+        });
+    });
+}
+
+constexpr std::string_view ending = ".c";
+
+bool isNamedAsC(const std::string& file) {
+    return file.size() > ending.size() && file.ends_with(ending);
+}
+
 /// What compiles the file, into one of its name without an ending.
-std::string compilerLine(const std::string& file) {
-    constexpr std::string_view ending = ".c";
-    if (file.size() > ending.size() && file.ends_with(ending))
-        return fmt::format("cc {} -o {} -lglfw -lGL -lm", fileWord(file),
-                           fileWord(file.substr(0, file.size() - ending.size())));
-    return fmt::format("cc -x c {} -x none -o {} -lglfw -lGL -lm", fileWord(file), fileWord(file + ".out"));
+std::string compilerLine(const std::string& file, const LoaderCode& loader, bool glu) {
+    const std::string libraries = fmt::format("-lglfw{}{} -lGL -lm", loader.library, glu ? " -lGLU" : "");
+    if (isNamedAsC(file))
+        return fmt::format("cc {}{} -o {} {}", fileWord(file), loader.compiled,
+                           fileWord(file.substr(0, file.size() - ending.size())), libraries);
+    return fmt::format("cc -x c {} -x none{} -o {} {}", fileWord(file), loader.compiled,
+                       fileWord(file + ".out"), libraries);
+}
+
+/// The headers of GLFW and OpenGL.
+std::string headerLines(const LoaderCode& loader, bool glu) {
+    std::string text(loader.headers.empty() ? openGlHeaders() : loader.headers);
+    if (!loader.headers.empty())
+        text += "#include <GLFW/glfw3.h>\n";
+    if (glu)
+        text.insert(text.rfind("#include"), "#define GLFW_INCLUDE_GLU\n");
+    return text;
+}
+
+/// A quoted argument of CMake.
+std::string cmakeString(std::string_view words) {
+    std::string text = "\"";
+    for (const char c : words)
+        text += std::string_view("\\\"$;").find(c) == std::string_view::npos ? std::string{c}
+                                                                             : std::string{'\\', c};
+    return text + "\"";
 }
 
 /// "/*" and lines of words that begin with " * ". The last paragraph is one line, however long it is.
@@ -99,6 +155,18 @@ std::string mainFunction(const Emission& emission, const CProgram& program) {
     for (const std::string& hint : program.hints)
         hints += fmt::format("    glfwWindowHint({});\n", hint);
     const bool moves = emission.moves;
+    std::string loading;
+    if (const LoaderCode& loader = codeOf(emission.options.loader); !loader.condition.empty())
+        loading = fmt::format("{}    if ({}) {{\n"
+                              "        fputs(\"the functions of OpenGL can't be loaded\\n\", stderr);\n"
+                              "        glfwTerminate();\n"
+                              "        return EXIT_FAILURE;\n"
+                              "    }}\n",
+                              emission.options.loader == Loader::Glew
+                                  ? "    glewExperimental = GL_TRUE; /* of the core profile, too */\n"
+                                    "    const GLenum loaded = glewInit();\n"
+                                  : "",
+                              loader.condition);
     return fmt::format(R"(
 int main(void)
 {{
@@ -113,7 +181,7 @@ int main(void)
         return EXIT_FAILURE;
     }}
     glfwMakeContextCurrent(window);
-    glfwSwapInterval(1); /* a frame for each picture of the screen */
+{}    glfwSwapInterval(1); /* a frame for each picture of the screen */
     glfwSetCursorPosCallback(window, onMove);
     glfwSetScrollCallback(window, onScroll);
     init();
@@ -130,7 +198,7 @@ int main(void)
 }}
 )",
                        hints, emission.options.width, emission.options.height,
-                       stringLiteral(emission.options.title), moves ? ", glfwGetTime()" : "",
+                       stringLiteral(emission.options.title), loading, moves ? ", glfwGetTime()" : "",
                        repetition(emission.keys),
                        moves ? "glfwPollEvents();" : "glfwWaitEvents(); /* nothing moves by itself */");
 }
@@ -145,11 +213,14 @@ std::vector<Line> framed(Emission&& emission, const CProgram& program) {
     const ProgramOptions& options = emission.options;
     std::vector<Line> lines;
     const std::string file = fileName(options.source);
-    std::vector<std::string> about{options.title, compilerLine(file)};
+    const LoaderCode& loader = codeOf(options.loader);
+    std::vector<Line> written = std::move(emission.writer).take();
+    const bool glu = callsGlu(written);
+    std::vector<std::string> about{options.title, compilerLine(file, loader, glu)};
     if (!options.about.empty())
         about.insert(about.begin() + 1, options.about);
     addComment(lines, about);
-    append(lines, linesOf(openGlHeaders()));
+    append(lines, linesOf(headerLines(loader, glu)));
     std::set<std::string_view> headers = headersOf(emission.functions);
     headers.insert({"math.h", "stdio.h", "stdlib.h"}); // of the frame itself
     headers.insert(program.headers.begin(), program.headers.end());
@@ -162,12 +233,38 @@ std::vector<Line> framed(Emission&& emission, const CProgram& program) {
     }
     append(lines, std::move(emission.atStart).take());
     append(lines, linesOf(emission.functions));
-    append(lines, std::move(emission.writer).take());
+    append(lines, std::move(written));
     append(lines, linesOf(mouse));
     append(lines, linesOf(mainFunction(emission, program)));
     append(lines, std::move(emission.atEnd).take());
     finish(lines);
     return lines;
+}
+
+std::string cmakeLists(const std::vector<Line>& program, const ProgramOptions& options) {
+    const std::string file = fileName(options.source);
+    std::string target = isNamedAsC(file) ? file.substr(0, file.size() - ending.size()) : file;
+    std::ranges::replace_if(
+        target, [](char c) { return !isPlainLetter(c) || c == '.'; }, '_');
+    std::string libraries = "glfw";
+    if (options.loader == Loader::Glew)
+        libraries += " GLEW::GLEW";
+    if (callsGlu(program))
+        libraries += " OpenGL::GLU";
+    std::string text = "cmake_minimum_required(VERSION 3.16)\n";
+    text += fmt::format("project({} C)\nset(CMAKE_C_STANDARD 99)\n", target);
+    text += "find_package(glfw3 REQUIRED)\nfind_package(OpenGL REQUIRED)\n";
+    if (options.loader == Loader::Glew)
+        text += "find_package(GLEW REQUIRED)\n";
+    const bool isGlad = options.loader == Loader::Glad;
+    text +=
+        fmt::format("add_executable({} {}{})\n", target, cmakeString(file), isGlad ? " glad/src/gl.c" : "");
+    text += fmt::format("set_source_files_properties({} PROPERTIES LANGUAGE C)\n", cmakeString(file));
+    if (isGlad)
+        text += fmt::format("target_include_directories({} PRIVATE glad/include)\n", target);
+    text += fmt::format("target_link_libraries({} PRIVATE {} OpenGL::GL $<$<BOOL:${{UNIX}}>:m>)\n", target,
+                        libraries);
+    return text;
 }
 
 } // namespace texplorer::emit

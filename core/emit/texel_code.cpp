@@ -243,13 +243,28 @@ private:
 
 Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& pictures, Target target,
                                 FileReader reader, const LevelWork& work) {
-    const Result<TextureLevels> levels = prepareLevels(texture, pictures, target, work);
+    Result<TextureLevels> levels = prepareLevels(texture, pictures, target, work);
     if (!levels)
         return fail(levels.error());
+    const reference::SampledTexture shape = reference::shapeOf(*levels, target);
+    const bool isGlu = texture.mipmaps == MipPolicy::Glu && levels->border == 0 &&
+                       !isDepth(shape.internalFormat) &&
+                       std::holds_alternative<Image>(*levels->levels.front().surface);
+    if (isGlu) { // which scales the image itself
+        Texture unscaled = texture;
+        unscaled.mipmaps = MipPolicy::GenerateMipmap;
+        levels = prepareLevels(unscaled, pictures, target, work);
+        if (!levels)
+            return fail(levels.error());
+    }
+    if (isGlu || levels->madeByDriver)
+        std::erase_if(levels->levels, [](const TextureLevel& level) { return level.number > 0; });
     TextureCode code = CodeMaker(texture, pictures, target, reader).make(*levels, work.stop);
     if (work.stop.stop_requested())
         return fail(ErrorCode::Cancelled, "making its levels was cancelled");
-    code.shape = reference::shapeOf(*levels, target);
+    code.shape = shape;
+    if (isGlu || levels->madeByDriver)
+        code.mipmaps = texture.mipmaps;
     return code;
 }
 

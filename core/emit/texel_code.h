@@ -57,6 +57,8 @@ struct TextureCode {
     LateFlip lateFlip = LateFlip::None;
     std::optional<BlockFormat> blocks{}; ///< of Compressed
     bool driverCompresses = false;
+    /// GenerateMipmap, OnUpload or Glu: a call makes the levels above the base, which is the only one here.
+    MipPolicy mipmaps = MipPolicy::Generated;
     FileReader reader = FileReader::None; ///< of the level with TexelSource::Read, or of all of a DDS file
     bool flipsBlocks = false;             ///< of a DDS file: its blocks are turned around when they are read
     reference::SampledTexture shape{};    ///< the extents of its levels

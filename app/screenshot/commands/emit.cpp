@@ -19,14 +19,17 @@ struct EmitOptions {
     SceneArgument scene;
     std::string out = "-";
     std::string flavour{rowOf(emit::Flavour::Fixed).name};
+    std::string loader{rowOf(emit::Loader::Prototypes).name};
     bool files = false;
+    bool selfContained = false;
+    bool cmake = false;
 };
 
-/// Whether --files can be had. The error names an option.
+/// Whether other files can be written next to the program. The error names an option.
 Result<void> checkFilesBeside(const EmitOptions& options) {
-    if (!options.files)
+    if (!options.files && !options.cmake)
         return {};
-    if (options.scene.lesson.empty())
+    if (options.files && options.scene.lesson.empty())
         return fail(ErrorCode::OutOfRange, "only the files of a lesson are written next to a program",
                     "--files");
     if (isStandardOutput(options.out))
@@ -40,7 +43,7 @@ Result<void> checkFilesBeside(const EmitOptions& options) {
     return {};
 }
 
-/// The program with the files that it reads, all or none. Those that are there already stay, if they are what
+/// The program with the files next to it, all or none. Those that are there already stay, if they are what
 /// they should be.
 Result<void> writeBeside(const std::string& program, const Output& out, const std::string& text,
                          const std::vector<ReadFile>& files) {
@@ -49,7 +52,7 @@ Result<void> writeBeside(const std::string& program, const Output& out, const st
     for (const ReadFile& each : files) {
         const std::filesystem::path place = folder / each.name;
         if (place == std::filesystem::path(program))
-            return fail(ErrorCode::Unwritable, "is the name of a file that the program would read", program);
+            return fail(ErrorCode::Unwritable, "is the name of a file to write next to the program", program);
         const Result<Bytes> there = readFile(place, each.bytes.size());
         if (!there && there.error().code == ErrorCode::NotFound)
             missing.push_back({each.name, each.bytes});
@@ -57,7 +60,7 @@ Result<void> writeBeside(const std::string& program, const Output& out, const st
             return fail(there.error());
         else if (!there || *there != each.bytes)
             return fail(ErrorCode::Unwritable,
-                        "is there already, and is not the file that the program would read", place.string());
+                        "is there already, and is not the file to write next to the program", place.string());
     }
     if (!missing.empty()) {
         std::optional<Uninterrupted> placing;
@@ -78,6 +81,9 @@ ExitCode emitProgram(const EmitOptions& options) {
     const Result<emit::Flavour> flavour = parseChoice<emit::Flavour>(options.flavour, "--as");
     if (!flavour)
         return complain(flavour.error(), wrongCall);
+    const Result<emit::Loader> loader = parseChoice<emit::Loader>(options.loader, "--loader");
+    if (!loader)
+        return complain(loader.error(), wrongCall);
     if (const Result<void> possible = checkFilesBeside(options); !possible)
         return complain(possible.error(), wrongCall);
     const Result<Output> out = Output::open(options.out);
@@ -85,10 +91,12 @@ ExitCode emitProgram(const EmitOptions& options) {
         return complain(out.error());
     emit::ProgramOptions asked;
     asked.title.clear();
+    asked.loader = *loader;
+    asked.selfContained = options.selfContained;
     if (!isStandardOutput(options.out))
         asked.source = options.out;
-    const auto program = programOf(options.scene, *flavour, std::move(asked),
-                                   options.files ? FilePlaces::Beside : FilePlaces::WhereTheyAre);
+    auto program = programOf(options.scene, *flavour, asked,
+                             options.files ? FilePlaces::Beside : FilePlaces::WhereTheyAre);
     if (!program)
         return complain(program.error().error, program.error().code);
     if (const Result<void> apart =
@@ -96,8 +104,13 @@ ExitCode emitProgram(const EmitOptions& options) {
         !apart)
         return complain(apart.error(), wrongCall);
     const std::string text = textOf(program->lines, false);
-    const Result<void> written =
-        options.files ? writeBeside(options.out, *out, text, program->files) : out->write(viewBytes(text));
+    if (options.cmake) {
+        asked.source = std::filesystem::path(options.out).filename().string();
+        const std::string lists = cmakeLists(program->lines, asked);
+        const ByteView bytes = viewBytes(lists);
+        program->files.push_back({"CMakeLists.txt", Bytes(bytes.begin(), bytes.end())});
+    }
+    const Result<void> written = writeBeside(options.out, *out, text, program->files);
     return written ? success : complain(written.error());
 }
 
@@ -114,8 +127,14 @@ void addEmit(CommandLine& line) {
     command.flag("--files", options->files,
                  "Write the lesson's BMP, TGA and DDS files next to the program, which reads them. "
                  "Default: their texels are part of the program.");
+    command.flag("--self-contained", options->selfContained,
+                 "Call no function of GLU, and none that makes mipmaps: the program does both itself.");
+    command.option("--loader", options->loader,
+                   "Where the functions of OpenGL after 1.1 come from." + explainChoices<emit::Loader>(),
+                   {.value = "LOADER", .showsDefault = true, .offers = {choiceNames<emit::Loader>}});
+    command.flag("--cmake", options->cmake, "Write a CMakeLists.txt next to the program.");
     command.footer(
-        "One file that needs GLFW and OpenGL, with the command to compile it at the top. In a framebuffer "
+        "One file that needs GLFW, OpenGL and, for the shapes that it has, GLU, with the command to compile it at the top. In a framebuffer "
         "object it draws the same pixels as \"texshot shot\"; in its window a driver may round "
         "differently. It is animated like the scene and turns with the mouse. Simple patterns are "
         "computed; the texels of other images and large meshes are arrays at the end. With --lesson the "

@@ -192,7 +192,7 @@ TEST(EmittedKeyFrames, AreRefusedWhereTheProgramWouldBeAnother) {
         {"a vertex", Flavour::Fixed, coordinate, "models[0].texCoords0[3]"},
         {"environment", Flavour::Glsl, mode, "passes[0].units[0].envMode"},
         {"slices",
-         Flavour::Fixed,
+         Flavour::Glsl,
          {{0, "models[1].slices", "8"}, {1, "models[1].slices", "9"}},
          "models[1].slices"},
         {"format",

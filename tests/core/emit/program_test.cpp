@@ -26,9 +26,10 @@ using testing::IsSupersetOf;
 using testing::Not;
 using testing::StartsWith;
 
+/// Self-contained: what takes the place of GLU's shapes is tested here, its calls by book_calls_test.
 std::vector<Line> programOf(const Scene& scene, const ImageSource& images = {}) {
     emit::TextureCodes codes;
-    const auto lines = emit::program(emit::Flavour::Fixed, scene, images, {}, codes);
+    const auto lines = emit::program(emit::Flavour::Fixed, scene, images, {.selfContained = true}, codes);
     EXPECT_TRUE(lines) << describe(lines.error());
     return lines.value_or(std::vector<Line>{});
 }
@@ -593,7 +594,7 @@ TEST(EmittedUnits, WriteAMatrixColumnByColumn) {
 TEST(EmittedPrograms, SayWhatTheyAreAndHowTheyAreCompiled) {
     emit::TextureCodes codes;
     const emit::ProgramOptions options{
-        .title = "Wrap */ \"it\"", .about = "Two sentences.", .source = "my wrap.c"};
+        .title = "Wrap */ \"it\"", .about = "Two sentences.", .source = "my wrap.c", .selfContained = true};
     const auto lines = emit::program(emit::Flavour::Fixed, defaultScene(), {}, options, codes);
     ASSERT_TRUE(lines);
     const std::string text = textOf(*lines, false);
@@ -607,7 +608,7 @@ TEST(EmittedPrograms, SayWhatTheyAreAndHowTheyAreCompiled) {
 TEST(EmittedPrograms, AreCompiledByTheirNames) {
     const auto compiled = [](const std::string& file) {
         emit::TextureCodes codes;
-        const emit::ProgramOptions options{.source = file};
+        const emit::ProgramOptions options{.source = file, .selfContained = true};
         const auto lines = emit::program(emit::Flavour::Fixed, defaultScene(), {}, options, codes);
         return textOf(lines->at(1));
     };

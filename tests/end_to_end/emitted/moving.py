@@ -97,6 +97,7 @@ MOVING = (
                   "passes": [{"depthTest": True, "units": [{"enabled": True}, {"enabled": True, "texture": 1, **COLOR, "matrix": [{"op": "translate"}]}]}]}),
     Moving("lines", {"models[0].lineWidth": [(0, 1), (2, 7)]},
            scene={"models": [{"shape": "mesh", "mesh": {"primitive": "GL_LINE_STRIP", "positions": [[-1, -1, 0], [1, -1, 0], [0, 1, 0]]}}]}),
+    Moving("slices", {"models[0].slices": [(0, 5), (2, 20)]}, scene={"models": [{"shape": "sphere"}]}, only_fixed="models[0].slices"),
     Moving("nothing-drawn", {"view.background": [(0, [0, 0, 0, 1]), (2, [1, 0.5, 0.25, 1])]},
            scene={"models": [{"shape": "mesh", "mesh": {"positions": positions}} for positions in ([], [[0, 0, 0], [1, 0, 0]])]}),
     Moving("shadow", {"models[0].position": [(0, [0, 1, 0]), (2, [1, 1.5, 0])], "models[0].rotation": [(0, [0, 0, 0]), (2, [45, 45, 0])]},
@@ -105,7 +106,7 @@ MOVING = (
 
 # Of each path two values that a flavour can't go between.
 REFUSED = {
-    "fixed": {"models[0].shape": ("cube", "sphere"), "textures[0].pattern": ("checker", "brick"), "models[1].slices": (8, 20),
+    "fixed": {"models[0].shape": ("cube", "sphere"), "textures[0].pattern": ("checker", "brick"),
               "textures[0].internalFormat": ("GL_RGBA", "GL_LUMINANCE"), "view.projection": ("perspective", "orthographic")},
     "glsl": {"passes[0].units[0].envMode": ("GL_MODULATE", "GL_DECAL"), "passes[0].lighting": (True, False),
              "models[0].shape": ("cube", "sphere"), "textures[0].wrapS": ("GL_REPEAT", "GL_CLAMP")},
