@@ -25,8 +25,8 @@ public:
     explicit TextureObject(Target target);
 
     /// Uploads every level to a new texture object: blocks unchanged, pixels with the precision of the
-    /// levels' internal format, or compressed by the driver if the levels request it. So does the driver make
-    /// the levels above the base. GL errors are reported as `where`.
+    /// levels' internal format, or compressed by the driver if the levels request it. With `madeByDriver`
+    /// only the base is uploaded, and glGenerateMipmap makes the rest. GL errors are reported as `where`.
     TextureObject(Target target, const TextureLevels& levels, std::string_view where, GlErrors& errors);
 
     /// Uploads about `bytes` more of the levels; compression by the driver counts more. Returns true when all

@@ -30,6 +30,18 @@ bool mayRead(const Texture& texture, const ImageSource& images, const ProgramOpt
            !options.fileName(texture.file).empty();
 }
 
+/// The texture with the mipmap functions that a program may call: OpenGL 3.1 removed the parameter, and GLU
+/// belongs to OpenGL 2.1.
+Texture withCallsOf(Flavour flavour, const Texture& texture, const ProgramOptions& options) {
+    const bool isCore = flavour == Flavour::Glsl;
+    if (options.selfContained || (isCore && texture.mipmaps == MipPolicy::Glu))
+        return withGeneratedLevels(texture);
+    Texture settings = texture;
+    if (isCore && texture.mipmaps == MipPolicy::OnUpload)
+        settings.mipmaps = MipPolicy::GenerateMipmap;
+    return settings;
+}
+
 /// What of a program reads it.
 FileReader readerFor(const TexelRequest& request) {
     constexpr std::size_t header = 128;
@@ -41,18 +53,19 @@ FileReader readerFor(const TexelRequest& request) {
 
 } // namespace
 
-Emission::Emission(const Scene& drawn, const ImageSource& images, const ProgramOptions& given,
-                   TextureCodes& codes, KeyFrames& moving)
+Emission::Emission(Flavour flavour, const Scene& drawn, const ImageSource& images,
+                   const ProgramOptions& given, TextureCodes& codes, KeyFrames& moving)
     : scene(drawn)
     , options(given)
     , keys(moving)
     , objects(textureObjectsOf(drawn))
+    , isCore(flavour == Flavour::Glsl)
     , isLit(std::ranges::any_of(drawn.passes, [](const Pass& pass) { return pass.enabled && pass.lighting; }))
     , needsNormals(std::ranges::any_of(drawn.passes, looksAtNormals)) {
     writer.explain(given.explained);
     for (CodeWriter* each : {&writer, &atStart, &atEnd})
         each->follow(moving);
-    for (const std::optional<TexelRequest>& request : texelRequests(drawn, images, given))
+    for (const std::optional<TexelRequest>& request : texelRequests(flavour, drawn, images, given))
         texels.push_back(request ? codes.of(*request) : nullptr);
     for (std::size_t i = 0; i < drawn.models.size(); ++i) {
         bool flips = false;
@@ -96,8 +109,8 @@ void Emission::addData(const std::string& type, const std::string& name, std::si
     atEnd.data(declaration, count, std::move(numbers));
 }
 
-std::vector<std::optional<TexelRequest>> texelRequests(const Scene& scene, const ImageSource& images,
-                                                       const ProgramOptions& options) {
+std::vector<std::optional<TexelRequest>>
+texelRequests(Flavour flavour, const Scene& scene, const ImageSource& images, const ProgramOptions& options) {
     std::vector<std::optional<TexelRequest>> requests;
     for (const TextureObject& object : textureObjectsOf(scene)) {
         const Texture& texture = scene.textures[object.texture];
@@ -105,9 +118,8 @@ std::vector<std::optional<TexelRequest>> texelRequests(const Scene& scene, const
         std::optional<TexelRequest>& request = requests.emplace_back();
         if (!pictures.base || !hasPixels(*pictures.base))
             continue;
-        request.emplace(TexelRequest{
-            {std::move(pictures),
-             imageSettings(options.selfContained ? withGeneratedLevels(texture) : texture), object.target}});
+        const Texture settings = imageSettings(withCallsOf(flavour, texture, options));
+        request.emplace(TexelRequest{{std::move(pictures), settings, object.target}});
         if (mayRead(texture, images, options)) {
             request->file = images.directory() / texture.file;
             request->fileInMemory = images.fileInMemory(texture.file);

@@ -46,7 +46,7 @@ struct FrameStart {
 
 /// What is written, and what the parts of it have to know of each other.
 struct Emission {
-    Emission(const Scene& drawn, const ImageSource& images, const ProgramOptions& options,
+    Emission(Flavour flavour, const Scene& drawn, const ImageSource& images, const ProgramOptions& options,
              TextureCodes& codes, KeyFrames& keys);
 
     const Scene& scene;
@@ -59,10 +59,11 @@ struct Emission {
     std::vector<TextureObject> objects;
     std::vector<std::shared_ptr<const Result<TextureCode>>> texels; ///< of each object
     std::vector<ModelForm> models;                                  ///< how each is drawn
-    bool isLit;                                                     ///< some pass is
-    bool needsNormals;                                              ///< some pass is lit or reflects
-    bool hasLightExtent = false;                                    ///< a constant of the program
-    bool isCore = false;             ///< OpenGL 3.3 without what it took from OpenGL 2.1
+    bool isCore;                     ///< OpenGL 3.3 without what it took from OpenGL 2.1
+    bool isLit;                      ///< some pass is
+    bool needsNormals;               ///< some pass is lit or reflects
+    bool hasLightExtent = false;     ///< a constant of the program
+    bool callsGlu = false;           ///< for shapes or levels: then for the projection, too
     std::set<std::size_t> leftOut{}; ///< of the objects: nothing shows them
     bool moves = false;              ///< draw() is given the seconds since the start
     bool inFrame = false;            ///< what is written is done in every frame, after the camera's calls

@@ -39,6 +39,14 @@ void rotate(CodeWriter& writer, const std::string& angle, std::string_view axis)
     writer.add({call("glRotatef"), plain(fmt::format("({}, {});", angle, axis))});
 }
 
+/// What multiplies by the matrix of gluPerspective.
+Part perspectiveName(Emission& emission) {
+    if (emission.callsGlu)
+        return call("gluPerspective");
+    emission.use(CFunction::Perspective);
+    return plain("perspective");
+}
+
 } // namespace
 
 void writeProjection(Emission& emission) {
@@ -63,9 +71,8 @@ void writeProjection(Emission& emission) {
                     plain(" * pi / 180 / 2);")});
         writer.add("glOrtho(-half * aspect, half * aspect, -half, half, -farthest, farthest);");
     } else {
-        emission.use(CFunction::Perspective);
-        writer.add(
-            {plain("perspective("), angle, plain(fmt::format(", aspect, {} / 50.0, farthest);", distance))});
+        writer.add({perspectiveName(emission), plain("("), angle,
+                    plain(fmt::format(", aspect, {} / 50.0, farthest);", distance))});
     }
     writer.add(fmt::format("glMatrixMode({});", modelViewMode));
 }
@@ -195,8 +202,7 @@ void writeLightProjection(Emission& emission) {
                  {Part::Kind::Comment, "/* half of what the light sees, in width and height */"}});
         parts = {call("glOrtho"), plain("(-lightExtent, lightExtent, -lightExtent, lightExtent")};
     } else {
-        emission.use(CFunction::Perspective);
-        parts = {plain("perspective("),
+        parts = {perspectiveName(emission), plain("("),
                  number(projector.fieldOfView,
                         pathOf<&Scene::light, &Light::projector, &Projector::fieldOfView>()),
                  plain(", 1.0")};

@@ -62,21 +62,20 @@ private:
             const std::string number = std::to_string(level.number);
             if (code_.mipmaps == MipPolicy::Glu)
                 return build(level, faceOf(texels, level));
-            if (code_.mipmaps == MipPolicy::OnUpload && !emission_.isCore)
+            if (code_.mipmaps == MipPolicy::OnUpload)
                 writer_.add({call("glTexParameteri"),
                              plain(fmt::format("({}, ", rowOf(holder_.target).name)),
                              choice(rowOf(code_.mipmaps).name, pathOf(keyOf<&Texture::mipmaps>())),
                              plain(", GL_TRUE); "),
-                             {Part::Kind::Comment, "/* makes levels with each upload */"}});
+                             {Part::Kind::Comment, "/* each upload of level 0 makes the others */"}});
             upload(number,
                    {std::to_string(level.width), std::to_string(level.height), std::to_string(level.depth)},
                    level, faceOf(texels, level));
-            if (code_.mipmaps == MipPolicy::GenerateMipmap ||
-                (code_.mipmaps == MipPolicy::OnUpload && emission_.isCore))
-                writer_.add({call("glGenerateMipmap"),
-                             plain(fmt::format("({}); ", rowOf(holder_.target).name)),
-                             {Part::Kind::Comment, "/* makes the levels above it */",
-                              pathOf(keyOf<&Texture::mipmaps>())}});
+            if (code_.mipmaps == MipPolicy::GenerateMipmap)
+                writer_.add(
+                    {{Part::Kind::Call, "glGenerateMipmap", pathOf(keyOf<&Texture::mipmaps>())},
+                     plain(fmt::format("({}); ", rowOf(holder_.target).name)),
+                     {Part::Kind::Comment, "/* makes the other levels; a function of OpenGL 3.0 */"}});
             return;
         }
         emission_.use(CFunction::Halve);
@@ -250,7 +249,9 @@ private:
             writer_.add("for (GLenum face = 0; face < 6; ++face)");
             writer_.indent();
         }
-        writer_.add(imageCall(row, {}, size, texels));
+        std::vector<Part> parts = imageCall(row, {}, size, texels);
+        parts.front().path = pathOf(keyOf<&Texture::mipmaps>());
+        writer_.add(std::move(parts));
         if (isCube())
             writer_.outdent();
     }

@@ -352,7 +352,7 @@ private:
         if (isUpright())
             writer_.add({call("glRotatef"),
                          plain("(-90.0f, 1.0f, 0.0f, 0.0f); "),
-                         {Part::Kind::Comment, "/* GLU's axis is z */"}});
+                         {Part::Kind::Comment, "/* GLU's z axis becomes y */"}});
         switch (model_.shape) {
         case Shape::Sphere:
             return writer_.add(callWith("gluSphere", {plain("quadric, 1.0, "), slices, comma, stacks}));
@@ -451,8 +451,8 @@ private:
         for (std::size_t i = 0; i < mesh_.vertices.size(); ++i) {
             const Vertex& vertex = mesh_.vertices[i];
             writeFace(i);
-            if (emission_.needsNormals && normal != normalOf(vertex)) {
-                normal = normalOf(vertex);
+            if (emission_.needsNormals && normal != givenNormal(i)) {
+                normal = givenNormal(i);
                 writer_.add(callWith("glNormal3f",
                                      numbers({&normal->x, 3}, meshPath<&MeshData::normals>(i, *normal))));
             }
@@ -463,6 +463,14 @@ private:
         }
         writer_.add("glEnd();");
         writer_.add("glEndList();");
+    }
+
+    /// As the scene has it, of any length: GL_NORMALIZE is on.
+    [[nodiscard]] glm::vec3 givenNormal(std::size_t vertex) const {
+        const auto& normals = model_.mesh.normals;
+        const bool isGiven = model_.shape == Shape::Mesh && normals.size() == mesh_.vertices.size() &&
+                             normals[vertex] != glm::vec3(0);
+        return isGiven ? normals[vertex] : normalOf(mesh_.vertices[vertex]);
     }
 
     /// The parameter that a vertex has a value from; empty: none.

@@ -138,8 +138,8 @@ void writeTexture(Emission& emission, std::size_t object) {
     writer.add(
         callWith("glBindTexture", {plain(fmt::format("{}, textures[{}]", rowOf(target).name, object))}));
     const auto& code = emission.texels[object];
-    const bool levelsFirst =
-        code && *code && isMadeByDriver((*code)->mipmaps); // they begin at the base level
+    // The driver makes levels above the base level alone.
+    const bool levelsFirst = code && *code && isMadeByDriver((*code)->mipmaps) && texture.baseLevel > 0;
     if (levelsFirst)
         writeTexels(emission, holder, object);
     writeParameters(emission, texture, object);

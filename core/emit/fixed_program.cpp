@@ -82,6 +82,10 @@ public:
             if (isQuadric(emission.scene, m, emission.models[m]))
                 emission.models[m].drawing = Drawing::Quadric;
         }
+        const auto isGlu = [](const auto& code) {
+            return code && *code && (*code)->mipmaps == MipPolicy::Glu;
+        };
+        emission.callsGlu = hasQuadrics() || std::ranges::any_of(emission.texels, isGlu);
     }
 
     void write() {
@@ -117,6 +121,15 @@ public:
     }
 
 private:
+    static Part comment(std::string_view words) {
+        return {Part::Kind::Comment, fmt::format("/* {} */", words)};
+    }
+
+    [[nodiscard]] bool hasQuadrics() const {
+        return std::ranges::find(emission_.models, Drawing::Quadric, &ModelForm::drawing) !=
+               emission_.models.end();
+    }
+
     void writePass(std::size_t pass) {
         writePassState(emission_, pass);
         writeUnits(emission_, pass);
@@ -139,17 +152,18 @@ private:
         writer_.heading(keyOf<&Scene::textures>());
         if (!emission_.objects.empty()) {
             writer_.add(fmt::format("glGenTextures({}, textures);", emission_.objects.size()));
-            writer_.add(
-                "glPixelStorei(GL_UNPACK_ALIGNMENT, 1); /* rows of texels follow each other without a gap */");
+            writer_.add({call("glPixelStorei"), plain("(GL_UNPACK_ALIGNMENT, 1); "),
+                         comment("rows of texels follow each other without a gap")});
             for (std::size_t i = 0; i < emission_.objects.size(); ++i)
                 writer_.add(fmt::format("loadTexture{}();", i));
         }
         writer_.heading(keyOf<&Scene::models>());
-        if (std::ranges::find(emission_.models, Drawing::Quadric, &ModelForm::drawing) !=
-            emission_.models.end()) {
-            emission_.atStart.add("static GLUquadric *quadric; /* what GLU's shapes are drawn with */");
+        if (hasQuadrics()) {
+            emission_.atStart.add(
+                {plain("static GLUquadric *quadric; "), comment("GLU's state for drawing shapes")});
             writer_.add("quadric = gluNewQuadric();");
-            writer_.add("gluQuadricTexture(quadric, GL_TRUE); /* they have texture coordinates */");
+            writer_.add({call("gluQuadricTexture"), plain("(quadric, GL_TRUE); "),
+                         comment("generates texture coordinates")});
         }
         for (std::size_t m = 0; m < emission_.scene.models.size(); ++m)
             writeModelSetup(emission_, m);
@@ -220,13 +234,13 @@ Result<std::vector<Line>> fixedProgram(const Scene& scene, const ImageSource& im
     FrameStart start;
     bool moves = false;
     { // once to see what a frame leaves behind, and whether anything moves
-        Emission trial(scene, images, options, codes, keys);
+        Emission trial(Flavour::Fixed, scene, images, options, codes, keys);
         FixedWriter writer(trial, start);
         writer.write();
         start = writer.end();
         moves = trial.writer.usesSeconds() || keys.isUsed();
     }
-    Emission emission(scene, images, options, codes, keys);
+    Emission emission(Flavour::Fixed, scene, images, options, codes, keys);
     emission.moves = moves;
     FixedWriter(emission, start).write();
     return framed(std::move(emission), {});

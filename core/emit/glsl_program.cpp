@@ -308,8 +308,7 @@ Result<std::vector<Line>> glslProgram(const Scene& scene, const ImageSource& ima
         return fail(possible.error());
     bool moves = false;
     for (const bool isTrial : {true, false}) {
-        Emission emission(scene, images, options, codes, keys);
-        emission.isCore = true;
+        Emission emission(Flavour::Glsl, scene, images, options, codes, keys);
         emission.moves = moves;
         Result<std::vector<GlslPass>> passes = passesOf(emission);
         if (!passes)

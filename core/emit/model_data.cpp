@@ -63,7 +63,10 @@ bool takesCoords(const Pass& pass, std::size_t index, const Model& model) {
 }
 
 bool isQuadric(const Scene& scene, std::size_t index, const ModelForm& form) {
-    if (form.drawing != Drawing::Shape || scene.models[index].shape == Shape::Torus ||
+    constexpr int maxOfGlu = 239; // Mesa's GLU makes more slices or stacks as many
+    const Model& model = scene.models[index];
+    if (form.drawing != Drawing::Shape || model.shape == Shape::Torus ||
+        std::max(model.slices, model.stacks) > maxOfGlu ||
         std::find(form.coords.begin() + 1, form.coords.end(), true) != form.coords.end())
         return false;
     const auto showsAxes = [](const TexGen& generated) {

@@ -54,7 +54,7 @@ struct TexelRequest {
 
 /// Those of a scene's texture objects, in their order; nothing for one whose image isn't there.
 [[nodiscard]] std::vector<std::optional<TexelRequest>>
-texelRequests(const Scene& scene, const ImageSource& images, const ProgramOptions& options);
+texelRequests(Flavour flavour, const Scene& scene, const ImageSource& images, const ProgramOptions& options);
 
 /// What the texels of textures become, kept as long as a program needs them: to make them takes longer than
 /// to write a program.
@@ -99,7 +99,8 @@ private:
 /// A program with key frames is written once for each value that one of them jumps to: so many at most.
 inline constexpr std::size_t maxSwitchedValues = 128;
 
-/// A CMakeLists.txt for the program, in the file options.source, with the libraries that it needs.
+/// A CMakeLists.txt for the program, with the libraries that it needs. options.source: its file, whose name has
+/// letters, digits, _ and - before ".c".
 [[nodiscard]] std::string cmakeLists(const std::vector<Line>& program, const ProgramOptions& options);
 
 /// Meshes of more vertices are data at the end of the program.

@@ -49,7 +49,7 @@ struct LoaderCode {
 constexpr std::array loaderCodes{
     LoaderCode{},
     LoaderCode{"#include <GL/glew.h> /* functions of OpenGL after 1.1; before other headers of OpenGL */\n",
-               "", " -lGLEW", "loaded != GLEW_OK && loaded != GLEW_ERROR_NO_GLX_DISPLAY /* of Wayland */"},
+               "", " -lGLEW", "loaded != GLEW_OK && loaded != GLEW_ERROR_NO_GLX_DISPLAY /* on Wayland */"},
     LoaderCode{"#include <glad/gl.h> /* glad --api gl:compatibility --out-path glad c */\n",
                " glad/src/gl.c -Iglad/include", "", "!gladLoadGL(glfwGetProcAddress)"},
 };
@@ -90,15 +90,6 @@ std::string headerLines(const LoaderCode& loader, bool glu) {
     if (glu)
         text.insert(text.rfind("#include"), "#define GLFW_INCLUDE_GLU\n");
     return text;
-}
-
-/// A quoted argument of CMake.
-std::string cmakeString(std::string_view words) {
-    std::string text = "\"";
-    for (const char c : words)
-        text += std::string_view("\\\"$;").find(c) == std::string_view::npos ? std::string{c}
-                                                                             : std::string{'\\', c};
-    return text + "\"";
 }
 
 /// "/*" and lines of words that begin with " * ". The last paragraph is one line, however long it is.
@@ -242,29 +233,22 @@ std::vector<Line> framed(Emission&& emission, const CProgram& program) {
 }
 
 std::string cmakeLists(const std::vector<Line>& program, const ProgramOptions& options) {
-    const std::string file = fileName(options.source);
-    std::string target = isNamedAsC(file) ? file.substr(0, file.size() - ending.size()) : file;
-    std::ranges::replace_if(
-        target, [](char c) { return !isPlainLetter(c) || c == '.'; }, '_');
-    std::string libraries = "glfw";
-    if (options.loader == Loader::Glew)
-        libraries += " GLEW::GLEW";
-    if (callsGlu(program))
-        libraries += " OpenGL::GLU";
-    std::string text = "cmake_minimum_required(VERSION 3.16)\n";
-    text += fmt::format("project({} C)\nset(CMAKE_C_STANDARD 99)\n", target);
-    text += "find_package(glfw3 REQUIRED)\nfind_package(OpenGL REQUIRED)\n";
-    if (options.loader == Loader::Glew)
-        text += "find_package(GLEW REQUIRED)\n";
     const bool isGlad = options.loader == Loader::Glad;
-    text +=
-        fmt::format("add_executable({} {}{})\n", target, cmakeString(file), isGlad ? " glad/src/gl.c" : "");
-    text += fmt::format("set_source_files_properties({} PROPERTIES LANGUAGE C)\n", cmakeString(file));
-    if (isGlad)
-        text += fmt::format("target_include_directories({} PRIVATE glad/include)\n", target);
-    text += fmt::format("target_link_libraries({} PRIVATE {} OpenGL::GL $<$<BOOL:${{UNIX}}>:m>)\n", target,
-                        libraries);
-    return text;
+    const bool isGlew = options.loader == Loader::Glew;
+    const std::string name = options.source.substr(0, options.source.find('.'));
+    // The target has a name of its own: that of the file may be one that CMake has.
+    return fmt::format(
+        "cmake_minimum_required(VERSION 3.16)\n"
+        "project(program C)\n"
+        "set(CMAKE_C_STANDARD 99)\n"
+        "find_package(glfw3 REQUIRED)\n"
+        "find_package(OpenGL REQUIRED)\n"
+        "{}add_executable(program {}{})\n"
+        "set_target_properties(program PROPERTIES OUTPUT_NAME {})\n"
+        "{}target_link_libraries(program PRIVATE glfw{}{} OpenGL::GL $<$<BOOL:${{UNIX}}>:m>)\n",
+        isGlew ? "find_package(GLEW REQUIRED)\n" : "", options.source, isGlad ? " glad/src/gl.c" : "", name,
+        isGlad ? "target_include_directories(program PRIVATE glad/include)\n" : "",
+        isGlew ? " GLEW::GLEW" : "", callsGlu(program) ? " OpenGL::GLU" : "");
 }
 
 } // namespace texplorer::emit

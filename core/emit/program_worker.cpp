@@ -164,7 +164,8 @@ std::optional<ProgramWorker::Program> ProgramWorker::program(Flavour flavour, co
     State& state = *state_;
     state.receive();
     std::vector<TexelRequest> missing;
-    for (std::optional<TexelRequest>& request : texelRequests(withSwitchedUnits(scene), images, options)) {
+    for (std::optional<TexelRequest>& request :
+         texelRequests(flavour, withSwitchedUnits(scene), images, options)) {
         if (!request || isQuick(request->levels))
             continue;
         if (state.codes.has(*request))

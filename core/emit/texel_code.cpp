@@ -247,23 +247,25 @@ Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& p
     if (!levels)
         return fail(levels.error());
     const reference::SampledTexture shape = reference::shapeOf(*levels, target);
-    const bool isGlu = texture.mipmaps == MipPolicy::Glu && levels->border == 0 &&
-                       !isDepth(shape.internalFormat) &&
-                       std::holds_alternative<Image>(*levels->levels.front().surface);
-    if (isGlu) { // which scales the image itself
+    bool isCalled = levels->madeByDriver;
+    if (texture.mipmaps == MipPolicy::Glu) { // which scales the image itself
         Texture unscaled = texture;
         unscaled.mipmaps = MipPolicy::GenerateMipmap;
-        levels = prepareLevels(unscaled, pictures, target, work);
-        if (!levels)
-            return fail(levels.error());
+        unscaled.npot = NpotPolicy::Keep;
+        Result<TextureLevels> given = prepareLevels(unscaled, pictures, target, work);
+        if (!given)
+            return fail(given.error());
+        isCalled = given->madeByDriver && given->border == 0 && !facesOf(*given, target).empty();
+        if (isCalled)
+            levels = std::move(given);
     }
-    if (isGlu || levels->madeByDriver)
+    if (isCalled)
         std::erase_if(levels->levels, [](const TextureLevel& level) { return level.number > 0; });
     TextureCode code = CodeMaker(texture, pictures, target, reader).make(*levels, work.stop);
     if (work.stop.stop_requested())
         return fail(ErrorCode::Cancelled, "making its levels was cancelled");
     code.shape = shape;
-    if (isGlu || levels->madeByDriver)
+    if (isCalled)
         code.mipmaps = texture.mipmaps;
     return code;
 }

@@ -18,7 +18,7 @@ namespace texplorer {
 
 struct EnumRow {
     std::uint32_t value;    ///< GL's number, or our own where GL has no enumerant
-    std::string_view name;  ///< GL's name ("GL_REPEAT"), or the name in scene files ("cube")
+    std::string_view name;  ///< GL's or GLU's name ("GL_REPEAT"), or the name in scene files ("cube")
     std::string_view label; ///< shown in panels
     std::string_view help;  ///< one sentence for a student
     std::string_view

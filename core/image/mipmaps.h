@@ -34,15 +34,18 @@ inline constexpr std::array mipPolicyRows{
     row(MipPolicy::Given, "given", "One by one",
         "A separate image for each level. The texture is incomplete if one is missing or does not have "
         "half the size of the one before it."),
-    row(MipPolicy::GenerateMipmap, "glGenerateMipmap", "glGenerateMipmap",
+    row(MipPolicy::GenerateMipmap, "glGenerateMipmap", "By the driver",
         "The driver makes the levels after the upload of the base, usually with a box filter. A function of "
-        "OpenGL 3.0 and GL_ARB_framebuffer_object."),
-    row(MipPolicy::OnUpload, "GL_GENERATE_MIPMAP", "GL_GENERATE_MIPMAP",
+        "OpenGL 3.0 and GL_ARB_framebuffer_object.",
+        "3.0"),
+    row(MipPolicy::OnUpload, "GL_GENERATE_MIPMAP", "On upload",
         "A parameter of the texture: the driver makes the levels with every upload of the base. OpenGL 3.1 "
         "removed it.",
         "1.4"),
-    row(MipPolicy::Glu, "gluBuild2DMipmaps", "gluBuild2DMipmaps",
-        "GLU scales the image to powers of two, makes the levels with a box filter and uploads all of them."),
+    row(MipPolicy::Glu, "gluBuild2DMipmaps", "By GLU",
+        "GLU scales the image to powers of two, makes the levels with a box filter and uploads all of them; of "
+        "other targets with gluBuild1DMipmaps or gluBuild3DMipmaps.",
+        "1.0"),
 };
 
 template<>

@@ -25,8 +25,13 @@ Result<TextureLevels> run(const Texture& texture, const TexturePictures& picture
         return fail(ErrorCode::Malformed, "the image is empty");
     try {
         Result<TextureLevels> made = LevelMaker(texture, pictures, target, work, lends).run();
-        if (made)
-            made->madeByDriver = isMadeByDriver(texture.mipmaps) && areColors(*made);
+        if (made && isMadeByDriver(texture.mipmaps) && areColors(*made)) {
+            made->madeByDriver = !hasFewBits(made->internalFormat);
+            if (!made->madeByDriver)
+                made->notes.push_back(
+                    Sentence("drivers store more bits than {0}: levels made with Texplorer's box filter",
+                             ProperName{rowOf(made->internalFormat).name}));
+        }
         const bool wanted = texture.mipmaps != MipPolicy::None;
         if (made && wanted && settingsFor(texture, image).mipmaps == MipPolicy::None)
             made->notes.emplace_back(N_("a shadow map has no mip levels: there is only a base level"));
@@ -80,7 +85,11 @@ Texture withGeneratedLevels(const Texture& texture) {
     Texture settings = texture;
     settings.mipmaps = MipPolicy::Generated;
     settings.mipFilter = MipFilter::Box;
-    settings.mipGamma = byDriver && isSrgb(texture.internalFormat); // as Mesa
+    const bool isCompressed =
+        texture.compression == Compression::Driver || texture.compression == Compression::Cached;
+    const bool isColor = texture.internalFormat == InternalFormat::Srgb8 ||
+                         texture.internalFormat == InternalFormat::Srgb8Alpha8;
+    settings.mipGamma = byDriver && isColor && !isCompressed; // as Mesa
     if (!byDriver)
         settings.npot = NpotPolicy::PowerOfTwo;
     return settings;

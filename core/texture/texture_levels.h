@@ -39,8 +39,8 @@ struct TextureLevels {
     /// Of levels that are uploaded as pixels and not compressed.
     InternalFormat internalFormat = InternalFormat::Rgba;
     std::optional<BlockFormat> driverFormat; ///< the format that the driver compresses to
-    /// The upload leaves the levels above the base to the driver, which can make them of colours alone. These
-    /// are the same but for its rounding, and for its weights where an extent is odd.
+    /// Only the base is uploaded, and the driver makes the other levels. Those here are Texplorer's own,
+    /// which differ by the driver's rounding and, where an extent is odd, by its weights.
     bool madeByDriver = false;
     /// The source of compressed levels, in the same order, to measure the loss. Empty if nothing was
     /// compressed here.

@@ -346,6 +346,23 @@ TEST_P(DriverMipmaps, AreWhatTheDriverMakes) {
     }
 }
 
+// Of blocks and depths a driver makes none, and of few bits it has more: all renderers have Texplorer's
+// levels.
+TEST(DriverLevels, AreOfColoursOfEightBitsAlone) {
+    const auto isMadeByDriver = [](const auto& change) {
+        Texture texture;
+        texture.mipmaps = MipPolicy::GenerateMipmap;
+        change(texture);
+        return prepareLevels(texture, noise(16, 16))->madeByDriver;
+    };
+    EXPECT_TRUE(isMadeByDriver([](Texture&) {}));
+    EXPECT_TRUE(isMadeByDriver([](Texture& x) { x.compression = Compression::Driver; }));
+    EXPECT_FALSE(isMadeByDriver([](Texture& x) { x.compression = Compression::Cached; }));
+    EXPECT_FALSE(isMadeByDriver([](Texture& x) { x.internalFormat = InternalFormat::Rgba2; }));
+    EXPECT_FALSE(isMadeByDriver([](Texture& x) { x.internalFormat = InternalFormat::DepthComponent24; }));
+    EXPECT_FALSE(isMadeByDriver([](Texture& x) { x.mipmaps = MipPolicy::Generated; }));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, DriverMipmaps,
     testing::Values(DriverCase{"Call", MipPolicy::GenerateMipmap, InternalFormat::Rgba, 64, 16},

@@ -8,7 +8,9 @@
 #include "app/screenshot/reports/program_text.h"
 #include "texplorer/files/file_io.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <optional>
 
@@ -34,6 +36,17 @@ Result<void> checkFilesBeside(const EmitOptions& options) {
                     "--files");
     if (isStandardOutput(options.out))
         return fail(ErrorCode::OutOfRange, "expected a file name, to write other files next to it", "--out");
+    const std::string name = std::filesystem::path(options.out).filename().string();
+    const auto isPlain = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+    };
+    const std::string stem = name.substr(0, name.size() - std::min<std::size_t>(2, name.size()));
+    if (options.cmake &&
+        (!name.ends_with(".c") || stem.empty() || stem.front() == '-' || !std::ranges::all_of(stem, isPlain)))
+        return fail(
+            ErrorCode::OutOfRange,
+            Sentence("expected letters, digits, _ or - and .c, as CMake reads the name, found \"{0}\"", name),
+            "--out");
     std::error_code ignored;
     const std::filesystem::file_status there = std::filesystem::status(options.out, ignored);
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
@@ -51,7 +64,8 @@ Result<void> writeBeside(const std::string& program, const Output& out, const st
     std::vector<FileContent> missing;
     for (const ReadFile& each : files) {
         const std::filesystem::path place = folder / each.name;
-        if (place == std::filesystem::path(program))
+        std::error_code ignored;
+        if (weakly_canonical(place, ignored) == weakly_canonical(std::filesystem::path(program), ignored))
             return fail(ErrorCode::Unwritable, "is the name of a file to write next to the program", program);
         const Result<Bytes> there = readFile(place, each.bytes.size());
         if (!there && there.error().code == ErrorCode::NotFound)
@@ -59,8 +73,10 @@ Result<void> writeBeside(const std::string& program, const Output& out, const st
         else if (!there && there.error().code != ErrorCode::TooLarge)
             return fail(there.error());
         else if (!there || *there != each.bytes)
-            return fail(ErrorCode::Unwritable,
-                        "is there already, and is not the file to write next to the program", place.string());
+            return fail(
+                ErrorCode::Unwritable,
+                "is there already, and is not the file to write next to the program: choose another folder",
+                place.string());
     }
     if (!missing.empty()) {
         std::optional<Uninterrupted> placing;
@@ -128,13 +144,15 @@ void addEmit(CommandLine& line) {
                  "Write the lesson's BMP, TGA and DDS files next to the program, which reads them. "
                  "Default: their texels are part of the program.");
     command.flag("--self-contained", options->selfContained,
-                 "Call no function of GLU, and none that makes mipmaps: the program does both itself.");
+                 "Draw round shapes and make mipmaps with the program's own code, without GLU.");
     command.option("--loader", options->loader,
                    "Where the functions of OpenGL after 1.1 come from." + explainChoices<emit::Loader>(),
                    {.value = "LOADER", .showsDefault = true, .offers = {choiceNames<emit::Loader>}});
-    command.flag("--cmake", options->cmake, "Write a CMakeLists.txt next to the program.");
+    command.flag("--cmake", options->cmake,
+                 "Write a CMakeLists.txt next to the program. Another one is not replaced.");
     command.footer(
-        "One file that needs GLFW, OpenGL and, for the shapes that it has, GLU, with the command to compile it at the top. In a framebuffer "
+        "One file with the command to compile it at the top. It needs GLFW and OpenGL, and GLU for quadrics "
+        "and gluBuild2DMipmaps. In a framebuffer "
         "object it draws the same pixels as \"texshot shot\"; in its window a driver may round "
         "differently. It is animated like the scene and turns with the mouse. Simple patterns are "
         "computed; the texels of other images and large meshes are arrays at the end. With --lesson the "

@@ -51,14 +51,13 @@ void codeTip(const Session& session, const ParamPlace& place, const std::string&
         return;
     ImGui::PushFont(nullptr); // words, not code
     if (place.vertex) {
-        const std::string_view names = place.row->kind == Kind::TexCoordList ? "strq"
-                                       : place.row->kind == Kind::ColorList  ? "rgba"
-                                                                             : "xyz";
-        const auto at = static_cast<std::size_t>(component);
-        helpTip(component >= 0 && at < names.size()
-                    ? Sentence("{0} of vertex {1}: drag it, or double-click to type",
-                               ProperName{std::string(names.substr(at, 1))}, *place.vertex)
-                    : "A coordinate of this vertex: drag it, or double-click to type");
+        const bool isCoord = place.row->kind == Kind::TexCoordList;
+        const std::string_view names = isCoord ? "strq" : place.row->kind == Kind::ColorList ? "rgba" : "xyz";
+        const ProperName name{std::string(names.substr(static_cast<std::size_t>(component), 1))};
+        helpTip(isCoord ? Sentence("Coordinate {0} of vertex {1}: drag it, or double-click to type", name,
+                                   *place.vertex)
+                        : Sentence("{0}, vertex {1}, {2}: drag it, or double-click to type",
+                                   Sentence(std::string(place.row->label)), *place.vertex, name));
     } else {
         const Value value = place.row->read(place.owner.values);
         paramTip(*place.row, value, value, selectedUnit(session).target,
@@ -135,7 +134,7 @@ void codeChoices(const Session& session, const ParamPlace& place, const std::str
             assignParam(session, place.owner, *place.row, EnumValue{choice.value});
         noteItem(fmt::format("command:{}={}", path, choice.name));
         choiceTip(choice);
-        if (choice.name.starts_with("GL_")) {
+        if (!choice.since.empty()) {
             ImGui::SameLine(names + ImGui::GetFontSize() * 2);
             ImGui::PushFont(codeFont());
             ImGui::TextDisabled("%s", choice.name.data());

@@ -62,8 +62,8 @@ void toolRow(const Session& session, CommandsTabState& state) {
     }
 }
 
-/// A model's coordinates for a unit, if that is what the path stands for.
-std::optional<TexCoords> coordsAt(const Scene& scene, const std::string& path) {
+/// A list whose vertices stand in lines of their own, if that is what the path stands for.
+std::optional<Value> vertexListAt(const Scene& scene, const std::string& path) {
     for (std::size_t i = 0; i < scene.models.size(); ++i) {
         const Model& model = scene.models[i];
         for (std::size_t unit = 0; unit < maxUnits; ++unit) {
@@ -72,25 +72,36 @@ std::optional<TexCoords> coordsAt(const Scene& scene, const std::string& path) {
                 return effectiveTexCoords(model, meshOf(model), static_cast<int>(unit));
         }
     }
+    Result<ParamAt> at = paramAt(scene, path);
+    if (at && !path.ends_with(']') && findParam(meshTable(), at->row->key) == at->row)
+        return std::move(at->value);
     return std::nullopt;
 }
 
-/// The changes of the last undo step: the parameter, or the changed vertices of a list of coordinates.
+/// The changes of the last undo step: the parameter, or the changed vertices of a list.
 ChangedPaths changedPaths(const Document& document) {
     const std::string& path = document.lastChanged;
     if (path.empty())
         return {};
     const History& history = document.history;
-    const auto is = coordsAt(document.scene, path);
+    const auto is = vertexListAt(document.scene, path);
     const auto was =
-        is && history.canUndo() ? coordsAt(history.sceneOf(history.position() - 1), path) : std::nullopt;
+        is && history.canUndo() ? vertexListAt(history.sceneOf(history.position() - 1), path) : std::nullopt;
     if (!was)
         return {path};
     ChangedPaths changed;
-    for (std::size_t vertex = 0; vertex < is->size(); ++vertex) {
-        if (vertex >= was->size() || (*was)[vertex] != (*is)[vertex])
-            changed.insert(fmt::format("{}[{}]", path, vertex));
-    }
+    const auto compare = [&](const auto& now, const auto& before) {
+        for (std::size_t vertex = 0; vertex < now.size(); ++vertex) {
+            if (vertex >= before.size() || before[vertex] != now[vertex])
+                changed.insert(fmt::format("{}[{}]", path, vertex));
+        }
+    };
+    if (const auto* points = std::get_if<std::vector<glm::vec3>>(&*is))
+        compare(*points, std::get<std::vector<glm::vec3>>(*was));
+    else if (const auto* coords = std::get_if<TexCoords>(&*is))
+        compare(*coords, std::get<TexCoords>(*was));
+    else
+        return {path};
     return changed;
 }
 

@@ -69,7 +69,7 @@ bool listOfChoices(const Session& session, const Owner& owner, const ParamRow& r
         if (isCurrent)
             ImGui::SetItemDefaultFocus();
         const std::string_view other = session.settings.glNames ? choice.label : choice.name;
-        if (choice.name.starts_with("GL_")) {
+        if (!choice.since.empty()) {
             ImGui::SameLine(names + ImGui::GetFontSize() * 2);
             ImGui::PushFont(codeFont());
             dimText(other);

@@ -4,7 +4,7 @@ namespace texplorer::ui {
 namespace {
 
 bool hasGlName(const Settings& settings, const EnumRow& choice) {
-    return settings.glNames && choice.name.starts_with("GL_");
+    return settings.glNames && !choice.since.empty();
 }
 
 } // namespace

@@ -73,7 +73,8 @@ void assignElement(const Session& session, const ParamPlace& place, int componen
     const std::string path = fmt::format("{}[{}]", place.owner.pathOf(*place.row), *place.vertex);
     const bool moves = place.row->member == memberId<&MeshData::positions>;
     submit(session, {.name = moves ? Sentence("Move vertex {0}", *place.vertex)
-                                   : Sentence("Change vertex {0}", *place.vertex),
+                                   : Sentence("{0}: vertex {1}", Sentence(std::string(place.row->label)),
+                                              *place.vertex),
                      .edits = {edit::Set{path, formatNumbers(numbers)}},
                      .path = path,
                      .continues = true});
@@ -108,7 +109,8 @@ std::optional<ParamPlace> placeOf(const Scene& scene, std::string_view path) {
         const std::string_view key = part.substr(0, part.find('['));
         const std::optional<std::size_t> index = placeIndexOf(part);
         if (const ParamRow* row = findParam(*table, key)) {
-            const bool isIndexed = row->kind == Kind::TexCoordList || table == &meshTable();
+            const bool isIndexed =
+                isList(row->kind) && (row->kind == Kind::TexCoordList || table == &meshTable());
             if (dot != std::string_view::npos || (index && !isIndexed))
                 return std::nullopt;
             place.owner.values = values;
@@ -163,8 +165,10 @@ void assignNumber(const Session& session, const ParamPlace& place, int component
 }
 
 Range rangeOf(const ParamPlace& place) {
-    const bool isUnlimited = place.vertex && place.row->kind != Kind::ColorList;
-    return isUnlimited ? coordRange : place.row->range;
+    constexpr Range pointRange{-1e6F, 1e6F, 0.005F, {}};
+    if (place.vertex && place.row->kind == Kind::PointList)
+        return pointRange;
+    return place.vertex && place.row->kind == Kind::TexCoordList ? coordRange : place.row->range;
 }
 
 } // namespace texplorer::ui

@@ -11,7 +11,8 @@ namespace texplorer::ui {
 struct ParamPlace {
     Owner owner; ///< without initial values
     const ParamRow* row = nullptr;
-    std::optional<std::size_t> vertex{}; ///< of a list: "models[0].texCoords0[5]", "models[0].mesh.positions[5]"
+    /// Of a list: "models[0].texCoords0[5]", "models[0].mesh.positions[5]".
+    std::optional<std::size_t> vertex{};
 };
 
 /// Nothing if there is no such parameter.

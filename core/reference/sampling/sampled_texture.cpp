@@ -159,10 +159,10 @@ Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevel
     if (levels.driverFormat)
         notes.push_back(Sentence("drivers compress differently: compressed to {0} by Texplorer's encoder",
                                  ProperName{rowOf(*levels.driverFormat).name}));
-    const auto isOdd = [](const TextureLevel& level) {
-        return !arePowersOfTwo(widthOf(*level.surface), heightOf(*level.surface), depthOf(*level.surface));
+    const auto isOdd = [](const Level& level) {
+        return !arePowersOfTwo(level.width, level.height, level.depth);
     };
-    if (levels.madeByDriver && levels.border == 0 && std::ranges::any_of(levels.levels, isOdd))
+    if (levels.madeByDriver && wantsMipmaps(texture.minFilter) && std::ranges::any_of(sampled.levels, isOdd))
         notes.push_back(
             Sentence("drivers halve odd sizes differently: levels made with Texplorer's box filter"));
     setParameters(sampled, texture, levels.lastLevel);

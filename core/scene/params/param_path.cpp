@@ -269,7 +269,7 @@ Result<void> checkInScene(const Scene& scene, const Place& place) {
 Result<Value> parseElement(const ParamRow& row, std::string_view text) {
     Result<Value> parsed = parseValue(row, text);
     if (const std::size_t count = parsed ? sizeOf(*parsed) : 1; count != 1)
-        return fail(ErrorCode::OutOfRange, Sentence("expected the value of one vertex, found {0}", count));
+        return fail(ErrorCode::OutOfRange, Sentence("expected the value of one element, found {0}", count));
     return parsed;
 }
 

@@ -71,8 +71,19 @@ TEST(MipmapCalls, StandBeforeTheBaseLevelIsSet) {
                     "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 2);"));
 }
 
+TEST(MipmapCalls, StandBehindTheParametersElsewhere) {
+    Scene scene = sceneWith(MipPolicy::GenerateMipmap);
+    scene.textures[0].baseLevel = 0;
+    scene.textures[0].wrapS = Wrap::Clamp;
+    EXPECT_THAT(loadingOf(scene),
+                ElementsAre("glBindTexture(GL_TEXTURE_2D, textures[0]);",
+                            "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP);",
+                            StartsWith("static GLubyte texels["), StartsWith("checkerboard("),
+                            StartsWith("glTexImage2D("), "glGenerateMipmap(GL_TEXTURE_2D);"));
+}
+
 // GLU uploads each level by its number: the base level may be set before.
-TEST(MipmapCalls, AreGlusWithoutLevelAndBorder) {
+TEST(MipmapCalls, OfGluHaveNoLevelAndNoBorder) {
     EXPECT_THAT(
         loadingOf(sceneWith(MipPolicy::Glu)),
         Contains("gluBuild2DMipmaps(GL_TEXTURE_2D, GL_RGBA, 64, 64, GL_RGBA, GL_UNSIGNED_BYTE, texels);"));
@@ -92,6 +103,12 @@ TEST(MipmapCalls, OfTheCoreProfileAreGlGenerateMipmap) {
                              Not(Contains(HasSubstr("GL_GENERATE_MIPMAP")))));
 }
 
+// Books of the core profile have no GLU.
+TEST(MipmapCalls, OfGluAreALoopInTheCoreProfile) {
+    EXPECT_EQ(loadingOf(sceneWith(MipPolicy::Glu), emit::Flavour::Glsl),
+              loadingOf(sceneWith(MipPolicy::Generated), emit::Flavour::Glsl));
+}
+
 TEST(MipmapCalls, AreALoopInASelfContainedProgram) {
     const emit::ProgramOptions options{.selfContained = true};
     for (const MipPolicy policy : {MipPolicy::GenerateMipmap, MipPolicy::OnUpload, MipPolicy::Glu})
@@ -106,7 +123,7 @@ Scene sceneOf(Model model) {
     return scene;
 }
 
-TEST(Quadrics, AreGlus) {
+TEST(Quadrics, AreDrawnByGlu) {
     const auto of = [](Model model) { return statementsOf(sceneOf(std::move(model))); };
     const std::vector<std::string> sphere = of({.shape = Shape::Sphere, .slices = 9, .stacks = 7});
     const auto call = std::ranges::find(sphere, "gluSphere(quadric, 1.0, 9, 7);");
@@ -115,6 +132,7 @@ TEST(Quadrics, AreGlus) {
         std::vector(call - 2, call + 2),
         ElementsAre("glPushMatrix();", "glRotatef(-90.0f, 1.0f, 0.0f, 0.0f);", *call, "glPopMatrix();"));
     EXPECT_THAT(sphere, Contains("#define GLFW_INCLUDE_GLU"));
+    EXPECT_THAT(sphere, Contains("gluPerspective(40.0f, aspect, distance / 50.0, farthest);"));
     EXPECT_THAT(sphere, Contains(HasSubstr(" -lglfw -lGLU -lGL -lm")));
     EXPECT_THAT(of({.shape = Shape::Cylinder, .slices = 9, .stacks = 7, .topRadius = 0.5F}),
                 AllOf(Contains("glTranslatef(0.0f, 0.0f, -1.0f);"),
@@ -125,23 +143,26 @@ TEST(Quadrics, AreGlus) {
                 Contains("gluPartialDisk(quadric, 0.0, 1.0, 32, 16, 10.0, -400.0);"));
 }
 
-TEST(Quadrics, AreNotGlusWhereItsCallsDontDo) {
-    const auto isOwn = [](const Scene& scene, const emit::ProgramOptions& options = {}) {
+TEST(Quadrics, AreDrawnByTheProgramWhereGluCant) {
+    const auto drawsItself = [](const Scene& scene, const emit::ProgramOptions& options = {}) {
         const std::vector<std::string> lines = statementsOf(scene, options);
         return testing::Value(lines,
                               AllOf(Contains("model0 = sphere(32, 16);"), Not(Contains(StartsWith("glu")))));
     };
     const Scene scene = sceneOf({.shape = Shape::Sphere});
-    EXPECT_FALSE(isOwn(scene));
-    EXPECT_TRUE(isOwn(scene, {.selfContained = true}));
+    EXPECT_FALSE(drawsItself(scene));
+    EXPECT_TRUE(drawsItself(scene, {.selfContained = true}));
+    EXPECT_THAT(statementsOf(sceneOf({.shape = Shape::Sphere, .slices = 240})),
+                Not(Contains(StartsWith("glu"))))
+        << "GLU would draw 239";
     Scene generated = scene; // from positions, whose axes are others for GLU
     generated.passes[0].units[0].texGenS = {.enabled = true, .mode = TexGenMode::ObjectLinear};
-    EXPECT_TRUE(isOwn(generated));
+    EXPECT_TRUE(drawsItself(generated));
     generated.passes[0].units[0].texGenS.mode = TexGenMode::EyeLinear;
-    EXPECT_FALSE(isOwn(generated));
+    EXPECT_FALSE(drawsItself(generated));
     Scene two = scene; // glTexCoord sets the coordinates of unit 0 alone
     two.passes[0].units[1].enabled = true;
-    EXPECT_TRUE(isOwn(two));
+    EXPECT_TRUE(drawsItself(two));
     EXPECT_THAT(statementsOf(sceneOf({.shape = Shape::Torus})), Not(Contains(StartsWith("glu"))));
 }
 
@@ -149,7 +170,7 @@ TEST(Quadrics, AreNotGlusWhereItsCallsDontDo) {
 TEST(Vertices, NameTheirParameters) {
     Model model{.shape = Shape::Mesh};
     model.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    model.mesh.normals = {{0, 0, 1}, {0, 1, 0}, {0, 0, 0}};
+    model.mesh.normals = {{0, 0, 2}, {0.3F, 0.4F, 0}, {0, 0, 0}}; // GL_NORMALIZE makes their length 1
     Scene scene = sceneOf(std::move(model));
     scene.passes[0].lighting = true;
     std::vector<std::string> paths;
@@ -160,7 +181,7 @@ TEST(Vertices, NameTheirParameters) {
         }
     }
     EXPECT_THAT(paths, ElementsAre("models[0].mesh.normals[0] 0.0f", "models[0].mesh.positions[0] 0.0f",
-                                   "models[0].mesh.normals[1] 0.0f", "models[0].mesh.positions[1] 1.0f",
+                                   "models[0].mesh.normals[1] 0.3f", "models[0].mesh.positions[1] 1.0f",
                                    "models[0].mesh.positions[2] 0.0f"));
 }
 
@@ -182,10 +203,10 @@ TEST(Loaders, LoadBeforeTheFirstCall) {
 }
 
 TEST(CMakeLists, NameWhatTheProgramNeeds) {
-    const emit::ProgramOptions options{.source = "my $cube.c", .loader = emit::Loader::Glew};
+    const emit::ProgramOptions options{.source = "clean.c", .loader = emit::Loader::Glew};
     const std::string text = cmakeLists(programOf(sceneOf({.shape = Shape::Sphere}), options), options);
-    EXPECT_THAT(text, AllOf(HasSubstr("project(my__cube C)\n"),
-                            HasSubstr("add_executable(my__cube \"my \\$cube.c\")\n"),
+    EXPECT_THAT(text, AllOf(HasSubstr("add_executable(program clean.c)\n"), HasSubstr("OUTPUT_NAME clean)\n"),
+                            HasSubstr("find_package(GLEW REQUIRED)\n"),
                             HasSubstr("glfw GLEW::GLEW OpenGL::GLU OpenGL::GL ")));
     const emit::ProgramOptions plain{.source = "cube.c", .selfContained = true};
     EXPECT_THAT(cmakeLists(programOf(sceneOf({.shape = Shape::Sphere}), plain), plain),

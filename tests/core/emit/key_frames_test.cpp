@@ -64,7 +64,7 @@ TEST(EmittedKeyFrames, AreATableAndAVariable) {
     EXPECT_THAT(text, HasSubstr("viewFieldOfView = (GLfloat)track(viewFieldOfViewKeys, 2, seconds, 0);\n"));
     EXPECT_THAT(bodyOf(text, draw),
                 IsSupersetOf({"animate(seconds);",
-                              "perspective(viewFieldOfView, aspect, distance / 50.0, farthest);"}));
+                              "gluPerspective(viewFieldOfView, aspect, distance / 50.0, farthest);"}));
     for (const char* unused : {"easeOut", "easeInOut", "hold", "Step", "step("})
         EXPECT_THAT(text, Not(HasSubstr(unused)));
 }
@@ -155,7 +155,7 @@ TEST(EmittedKeyFrames, ArePlainText) {
 TEST(EmittedKeyFrames, ThatSayTheSameAreNone) {
     const std::string text =
         textOf(sceneWith({{0, "view.fieldOfView", "50"}, {2, "view.fieldOfView", "50"}}));
-    EXPECT_THAT(text, HasSubstr("perspective(50.0f, "));
+    EXPECT_THAT(text, HasSubstr("gluPerspective(50.0f, "));
     EXPECT_THAT(text, Not(HasSubstr("animate")));
 }
 

@@ -18,7 +18,7 @@ from capture import DRIVER, PATIENCE, ProgramError, compile_program, differing
 TIMES = ("0", "1.75")  # seconds
 SIZE = (640, 480)  # of a program's window
 AT_ONCE = 25  # scenes that a call of texshot draws
-GLU_BOUND = 1  # by how much a component may differ where GLU computes the vertices, in doubles, in 255ths
+GLU_BOUND = 1  # by how much a component may differ where GLU computes vertices, matrices or levels, in 255ths
 LAST_BITS = 1e-4  # of a picture, by which the rule last-bit of texshot conform allows two programs of a driver to differ
 
 
@@ -109,9 +109,9 @@ class Proof:
 
     def compare(self, case, path, drawn, expected):
         scene = json.loads(case.file.read_text())
-        has_quadric = "gluNewQuadric(" in (path / "demo.c").read_text()
-        bound = max(self.flavour.bound, GLU_BOUND if has_quadric else 0)
-        share = self.last_bits if has_quadric or computes_otherwise(scene, self.flavour) else 0
+        calls_glu = "#define GLFW_INCLUDE_GLU" in (path / "demo.c").read_text()
+        bound = max(self.flavour.bound, GLU_BOUND if calls_glu else 0)
+        share = self.last_bits if calls_glu or computes_otherwise(scene, self.flavour) else 0
         wrong = []
         for time, picture in zip(self.times, drawn):
             if picture.shape != (SIZE[1], SIZE[0], 3):

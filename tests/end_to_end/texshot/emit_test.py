@@ -37,6 +37,24 @@ class Emit(Texshot):
                               cwd=self.path, capture_output=True)
         self.assertEqual((done.returncode, done.stderr), (0, b""))
 
+    def test_glew_and_cmake_build_it(self):
+        """With GLU's shapes, by a name that is a target of CMake itself."""
+        self.succeeds("emit", "--example", "quadrics", "--loader", "glew", "--cmake", "-o", self.path / "clean.c")
+        for words in (("-S", ".", "-B", "build"), ("--build", "build")):
+            done = subprocess.run(["cmake", *words], cwd=self.path, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertTrue((self.path / "build" / "clean").exists())
+        self.succeeds("emit", "--example", "quadrics", "--loader", "glew", "--cmake", "-o", self.path / "clean.c")
+
+    def test_refuses_what_cmake_cant_have(self):
+        for name in ("-", "CMakeLists.txt", "cube", "cube.cpp", "-cube.c", ".c", "my cube.c", "$cube.c", "é.c"):
+            with self.subTest(name):
+                done = texshot("emit", "--cmake", "-o", name if name == "-" else self.path / name)
+                self.assertEqual((done.returncode, done.stdout, list(self.path.iterdir())), (2, b"", []), done.stderr)
+        (self.path / "CMakeLists.txt").write_text("project(mine)\n")
+        self.assertIn("choose another folder", self.refused("--cmake"))
+        self.assertEqual((self.path / "CMakeLists.txt").read_text(), "project(mine)\n")
+
     def test_a_lesson_says_why(self):
         lesson = results(self.succeeds("lessons", "--json"))
         title = next(each for each in lesson if each["name"] == "filters")["title"]

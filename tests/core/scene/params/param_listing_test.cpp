@@ -62,7 +62,7 @@ TEST(ListParams, ReadsLikeThis) {
                                 "      GL_NEAREST  Reads the one texel"));
     EXPECT_THAT(text, HasSubstr("\n    Accepts a number from 1 to 16.\n"));
     EXPECT_THAT(text, HasSubstr("\n    glDepthFunc({})\n"));
-    EXPECT_THAT(text, HasSubstr("\n    One vertex is models[].texCoords0[].\n"));
+    EXPECT_THAT(text, HasSubstr("\n    One element is models[].texCoords0[].\n"));
     EXPECT_THAT(text, HasSubstr("\npasses[].units[].matrix[].matrix = 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1\n"));
     EXPECT_THAT(text, HasSubstr("\n    Accepts 16 numbers, each from -1e+06 to 1e+06.\n"));
     EXPECT_THAT(text, HasSubstr("\npasses[].models\n"));

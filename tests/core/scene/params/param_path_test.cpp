@@ -138,9 +138,9 @@ TEST(ParamPath, VerticesOfAMeshAreSetOneByOne) {
     EXPECT_EQ(refused("models[0].mesh.normals[0]", "0,0,1"),
               "models[0].mesh.normals[0]: expected an existing index, counted from 0; the list has 0");
     EXPECT_EQ(refused("models[0].mesh.positions[0]", "0,0,0;1,1,1"),
-              "models[0].mesh.positions[0]: expected the value of one vertex, found 2");
+              "models[0].mesh.positions[0]: expected the value of one element, found 2");
     EXPECT_EQ(refused("models[0].mesh.positions[0]", ""),
-              "models[0].mesh.positions[0]: expected the value of one vertex, found 0");
+              "models[0].mesh.positions[0]: expected the value of one element, found 0");
     EXPECT_EQ(mesh.positions.size(), 3U);
     Scene moved = scene;
     ASSERT_TRUE(putBetween(moved, "models[0].mesh.positions[0]", "0,0,0", "1,2,4", 0.5));
