@@ -134,5 +134,6 @@ int main(int argc, char** argv) {
     const std::string error = errorText();
     if (status != success && !error.empty() && !hasPrinted() && command && asksForJson(*command, words))
         static_cast<void>(print(error));
+    ignoreInterrupts();
     return status;
 }

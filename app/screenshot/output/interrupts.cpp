@@ -46,6 +46,10 @@ void watchInterrupts() {
     }
 }
 
+void ignoreInterrupts() {
+    ending.lock(); // for good
+}
+
 void askToStop(std::stop_source* work) {
     const std::lock_guard lock(ending);
     asked = work;

@@ -13,6 +13,9 @@ namespace texplorer::screenshot {
 /// thread.
 void watchInterrupts();
 
+/// From here on they do nothing. Called last: objects are then destroyed that ending the program would use.
+void ignoreInterrupts();
+
 /// Whom a signal asks to stop instead of ending the program; a second one ends it. nullptr: nobody.
 void askToStop(std::stop_source* work);
 
