@@ -10,7 +10,7 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr std::string_view extension = ".c";
+constexpr std::string_view programExtension = ".c";
 constexpr Sentence::Key<Sentence> programFailure(N_("The program can't be written: {0}."));
 
 std::string stemOf(const Document& document) {
@@ -41,7 +41,7 @@ std::function<void(float)> reportOfAll(const FileMaking& making, std::size_t tex
 } // namespace
 
 std::string programFileName(const Document& document) {
-    return stemOf(document).append(extension);
+    return stemOf(document).append(programExtension);
 }
 
 std::optional<emit::ProgramWorker::Program> programNow(Session& session, emit::Flavour flavour) {
@@ -86,7 +86,7 @@ void askSaveProgram(Session& session, emit::Flavour flavour) {
 
 Result<void> saveProgram(Session& session, const std::filesystem::path& file,
                          const std::optional<FileFingerprint>& replaces) {
-    return session.services.writing->writeAs(programOrder(session, file), extension, replaces);
+    return session.services.writing->writeAs(programOrder(session, file), programExtension, replaces);
 }
 
 } // namespace texplorer::ui
