@@ -53,7 +53,7 @@ void codeTip(const Session& session, const ParamPlace& place, const std::string&
     if (place.vertex) {
         const bool isCoord = place.row->kind == Kind::TexCoordList;
         const std::string_view names = isCoord ? "strq" : place.row->kind == Kind::ColorList ? "rgba" : "xyz";
-        const ProperName name{std::string(names.substr(static_cast<std::size_t>(component), 1))};
+        const ProperName name{names.substr(std::min(static_cast<std::size_t>(component), names.size()), 1)};
         helpTip(isCoord ? Sentence("Coordinate {0} of vertex {1}: drag it, or double-click to type", name,
                                    *place.vertex)
                         : Sentence("{0}, vertex {1}, {2}: drag it, or double-click to type",
