@@ -235,7 +235,7 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
     const bool isWhole = cursor.level == levels.levels.size();
     if (isWhole && driverMakes) {
         glGenerateMipmap(target_);
-        errors.check(Sentence("{0}: {1}", ProperName{where}, ProperName{"glGenerateMipmap"}));
+        errors.check(Sentence("{0}: {1}", ProperName{where}, ProperName{rowOf(MipPolicy::GenerateMipmap).name}));
     }
     return isWhole;
 }

@@ -288,9 +288,8 @@ void unused(const Case& about, Report& report) {
         unless(cached || texture.compression == Compression::Driver, keyOf<&Texture::compressedFormat>(),
                named(texture.compression));
         unless(cached, keyOf<&Texture::compressionQuality>(), named(texture.compression));
-        const bool filters = texture.mipmaps == MipPolicy::Generated || texture.mipmaps == MipPolicy::Missing;
-        unless(filters, keyOf<&Texture::mipFilter>(), named(texture.mipmaps));
-        unless(filters, keyOf<&Texture::mipGamma>(), named(texture.mipmaps));
+        unless(takesFilter(texture.mipmaps), keyOf<&Texture::mipFilter>(), named(texture.mipmaps));
+        unless(takesFilter(texture.mipmaps), keyOf<&Texture::mipGamma>(), named(texture.mipmaps));
         unless(texture.mipmaps != MipPolicy::FromFile && texture.mipmaps != MipPolicy::Glu,
                keyOf<&Texture::npot>(), named(texture.mipmaps));
         for (std::size_t k = 0; k < texture.levels.size(); ++k) {

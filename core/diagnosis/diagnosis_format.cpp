@@ -90,18 +90,17 @@ void decodedOnly(const Case& about, Report& report) {
 void averagedAsStored(const Case& about, Report& report) {
     forEachShown(about, [&](const Texture& texture, const TextureFacts&, const std::string& path) {
         const bool isGlu = texture.mipmaps == MipPolicy::Glu;
-        const bool filters =
-            isGlu || texture.mipmaps == MipPolicy::Generated || texture.mipmaps == MipPolicy::Missing;
-        if (!isSrgb(texture.internalFormat) || !filters || (texture.mipGamma && !isGlu) ||
-            !reference::wantsMipmaps(texture.minFilter))
+        const bool asStored = isGlu || (takesFilter(texture.mipmaps) && !texture.mipGamma);
+        if (!isSrgb(texture.internalFormat) || !asStored || !reference::wantsMipmaps(texture.minFilter))
             return;
-        const std::string key = path + (isGlu ? keyOf<&Texture::mipmaps>() : keyOf<&Texture::mipGamma>());
-        const std::string value = isGlu ? nameOf(MipPolicy::GenerateMipmap) : "true";
-        report.add(key,
+        Fix fix{N_("Average light"), {{path + keyOf<&Texture::mipGamma>(), "true"}}};
+        if (isGlu)
+            fix.assignments.push_back({path + keyOf<&Texture::mipmaps>(), nameOf(MipPolicy::Generated)});
+        report.add(path + (isGlu ? keyOf<&Texture::mipmaps>() : keyOf<&Texture::mipGamma>()),
                    Sentence("the levels are averages of stored numbers, not of the amounts of light that "
                             "{0} converts them to: seen from afar the texture is too dark",
                             named(texture.internalFormat)),
-                   Fix{N_("Average light"), {{key, value}}});
+                   std::move(fix));
     });
 }
 

@@ -100,7 +100,7 @@ std::vector<Cure> curesOf(const Texture& texture, int lastLevel, const std::stri
                     [i](Texture& cured) { cured.levels[i].source = SourceKind::Pattern; });
         }
     }
-    if (!averages(texture.mipmaps) || texture.mipmaps == MipPolicy::Missing)
+    if (texture.mipmaps != MipPolicy::Generated)
         add(beginsAt0 ? N_("Begin at level 0 and generate mipmaps") : N_("Generate mipmaps"),
             keyOf<&Texture::mipmaps>(), nameOf(MipPolicy::Generated),
             [](Texture& cured) { cured.mipmaps = MipPolicy::Generated; });

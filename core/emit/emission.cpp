@@ -73,6 +73,8 @@ Emission::Emission(Flavour flavour, const Scene& drawn, const ImageSource& image
             flips |= flipsCoords(i, u);
         models.push_back(formOf(drawn, i, flips));
     }
+    if (!isCore && !given.selfContained)
+        takeGlu(*this);
 }
 
 std::string Emission::passVariable(std::size_t pass) const {

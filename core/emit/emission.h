@@ -147,6 +147,13 @@ void writeUnits(Emission& emission, std::size_t pass);
 void writeMovingUnits(Emission& emission, std::size_t pass);
 /// "sphere(32, 16)": what makes a Mesh of a shape that is turned about an axis.
 [[nodiscard]] std::vector<Part> shapeCall(Emission& emission, std::size_t model);
+/// Lets GLU draw what it can of the models, and the projection where it is called anyway.
+void takeGlu(Emission& emission);
+[[nodiscard]] bool hasQuadrics(const Emission& emission);
+/// Whether the axis of a quadric is y: that of GLU's is z.
+[[nodiscard]] bool isTurnedForGlu(const Model& model);
+/// "gluSphere(quadric, 1.0, 32, 16);"
+void writeQuadric(Emission& emission, std::size_t model);
 /// Arrays and functions of a model, before everything that draws.
 void writeModelData(Emission& emission, std::size_t model);
 /// What is made of them once.

@@ -73,7 +73,8 @@ private:
                    level, faceOf(texels, level));
             if (code_.mipmaps == MipPolicy::GenerateMipmap)
                 writer_.add(
-                    {{Part::Kind::Call, "glGenerateMipmap", pathOf(keyOf<&Texture::mipmaps>())},
+                    {{Part::Kind::Call, std::string(rowOf(code_.mipmaps).name),
+                      pathOf(keyOf<&Texture::mipmaps>())},
                      plain(fmt::format("({}); ", rowOf(holder_.target).name)),
                      {Part::Kind::Comment, "/* makes the other levels; a function of OpenGL 3.0 */"}});
             return;

@@ -144,7 +144,7 @@ public:
         case Drawing::None:
             break;
         case Drawing::Quadric:
-            drawQuadric();
+            writeQuadric(emission_, index_);
             break;
         case Drawing::List:
             writer_.add(fmt::format("glCallList({});", variable_));
@@ -174,7 +174,7 @@ public:
             writer_.add(fmt::format("glCallList({});", variable_));
             break;
         case Drawing::Quadric:
-            drawQuadric();
+            writeQuadric(emission_, index_);
             break;
         case Drawing::Shape:
             drawShape(pass);
@@ -333,48 +333,7 @@ private:
 
     /// Whether what follows must not see its matrix.
     [[nodiscard]] bool movesMatrix() const {
-        return isPlaced() || (form_.drawing == Drawing::Quadric && isUpright());
-    }
-
-    /// Whether its axis is y: that of GLU's is z.
-    [[nodiscard]] bool isUpright() const {
-        return model_.shape == Shape::Sphere || model_.shape == Shape::Cylinder;
-    }
-
-    /// "gluSphere(quadric, 1.0, 32, 16);"
-    void drawQuadric() {
-        const auto real = [&](float value, const std::string& key) {
-            return number(value, own(key), -1, Literal::Double);
-        };
-        const Part slices = whole(model_.slices, own(keyOf<&Model::slices>()));
-        const Part stacks = whole(model_.stacks, own(keyOf<&Model::stacks>()));
-        const Part comma = plain(", ");
-        if (isUpright())
-            writer_.add({call("glRotatef"),
-                         plain("(-90.0f, 1.0f, 0.0f, 0.0f); "),
-                         {Part::Kind::Comment, "/* GLU's z axis becomes y */"}});
-        switch (model_.shape) {
-        case Shape::Sphere:
-            return writer_.add(callWith("gluSphere", {plain("quadric, 1.0, "), slices, comma, stacks}));
-        case Shape::Cylinder:
-            writer_.add("glTranslatef(0.0f, 0.0f, -1.0f);");
-            return writer_.add(callWith("gluCylinder", {plain("quadric, 1.0, "),
-                                                        real(model_.topRadius, keyOf<&Model::topRadius>()),
-                                                        plain(", 2.0, "), slices, comma, stacks}));
-        default:
-            break;
-        }
-        const bool isWhole = model_.shape == Shape::Disk;
-        std::vector<Part> arguments{plain("quadric, "),
-                                    real(model_.innerRadius, keyOf<&Model::innerRadius>()),
-                                    plain(", 1.0, "),
-                                    slices,
-                                    comma,
-                                    stacks};
-        if (!isWhole)
-            append(arguments, {comma, real(model_.startAngle, keyOf<&Model::startAngle>()), comma,
-                               real(model_.sweepAngle, keyOf<&Model::sweepAngle>())});
-        writer_.add(callWith(isWhole ? "gluDisk" : "gluPartialDisk", std::move(arguments)));
+        return isPlaced() || (form_.drawing == Drawing::Quadric && isTurnedForGlu(model_));
     }
 
     void place(bool beforeTheEye = true) {

@@ -77,16 +77,7 @@ public:
         : emission_(emission)
         , writer_(emission.writer)
         , start_(start)
-        , passes_(drawnPasses(emission.scene)) {
-        for (std::size_t m = 0; m < emission.models.size() && !emission.options.selfContained; ++m) {
-            if (isQuadric(emission.scene, m, emission.models[m]))
-                emission.models[m].drawing = Drawing::Quadric;
-        }
-        const auto isGlu = [](const auto& code) {
-            return code && *code && (*code)->mipmaps == MipPolicy::Glu;
-        };
-        emission.callsGlu = hasQuadrics() || std::ranges::any_of(emission.texels, isGlu);
-    }
+        , passes_(drawnPasses(emission.scene)) {}
 
     void write() {
         writeTextures(emission_);
@@ -121,15 +112,6 @@ public:
     }
 
 private:
-    static Part comment(std::string_view words) {
-        return {Part::Kind::Comment, fmt::format("/* {} */", words)};
-    }
-
-    [[nodiscard]] bool hasQuadrics() const {
-        return std::ranges::find(emission_.models, Drawing::Quadric, &ModelForm::drawing) !=
-               emission_.models.end();
-    }
-
     void writePass(std::size_t pass) {
         writePassState(emission_, pass);
         writeUnits(emission_, pass);
@@ -152,18 +134,20 @@ private:
         writer_.heading(keyOf<&Scene::textures>());
         if (!emission_.objects.empty()) {
             writer_.add(fmt::format("glGenTextures({}, textures);", emission_.objects.size()));
-            writer_.add({call("glPixelStorei"), plain("(GL_UNPACK_ALIGNMENT, 1); "),
-                         comment("rows of texels follow each other without a gap")});
+            writer_.add({call("glPixelStorei"),
+                         plain("(GL_UNPACK_ALIGNMENT, 1); "),
+                         {Part::Kind::Comment, "/* rows of texels follow each other without a gap */"}});
             for (std::size_t i = 0; i < emission_.objects.size(); ++i)
                 writer_.add(fmt::format("loadTexture{}();", i));
         }
         writer_.heading(keyOf<&Scene::models>());
-        if (hasQuadrics()) {
-            emission_.atStart.add(
-                {plain("static GLUquadric *quadric; "), comment("GLU's state for drawing shapes")});
+        if (hasQuadrics(emission_)) {
+            emission_.atStart.add({plain("static GLUquadric *quadric; "),
+                                   {Part::Kind::Comment, "/* GLU's state for drawing shapes */"}});
             writer_.add("quadric = gluNewQuadric();");
-            writer_.add({call("gluQuadricTexture"), plain("(quadric, GL_TRUE); "),
-                         comment("generates texture coordinates")});
+            writer_.add({call("gluQuadricTexture"),
+                         plain("(quadric, GL_TRUE); "),
+                         {Part::Kind::Comment, "/* generates texture coordinates */"}});
         }
         for (std::size_t m = 0; m < emission_.scene.models.size(); ++m)
             writeModelSetup(emission_, m);

@@ -62,26 +62,6 @@ bool takesCoords(const Pass& pass, std::size_t index, const Model& model) {
     return !std::all_of(generated.begin(), generated.begin() + looked, [](bool on) { return on; });
 }
 
-bool isQuadric(const Scene& scene, std::size_t index, const ModelForm& form) {
-    constexpr int maxOfGlu = 239; // Mesa's GLU makes more slices or stacks as many
-    const Model& model = scene.models[index];
-    if (form.drawing != Drawing::Shape || model.shape == Shape::Torus ||
-        std::max(model.slices, model.stacks) > maxOfGlu ||
-        std::find(form.coords.begin() + 1, form.coords.end(), true) != form.coords.end())
-        return false;
-    const auto showsAxes = [](const TexGen& generated) {
-        return generated.enabled && generated.mode == TexGenMode::ObjectLinear;
-    };
-    return std::ranges::none_of(scene.passes, [&](const Pass& pass) {
-        const std::vector<std::size_t> drawn = drawnModels(scene, pass);
-        return std::ranges::find(drawn, index) != drawn.end() &&
-               std::ranges::any_of(pass.units, [&](const Unit& unit) {
-                   return unit.enabled && (showsAxes(unit.texGenS) || showsAxes(unit.texGenT) ||
-                                           showsAxes(unit.texGenR) || showsAxes(unit.texGenQ));
-               });
-    });
-}
-
 bool hasIndices(const Model& model) {
     return model.shape == Shape::Mesh ? !model.mesh.indices.empty() : !isMadeOfQuads(model.shape);
 }

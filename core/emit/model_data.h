@@ -36,10 +36,6 @@ struct ModelForm {
 /// `flips`: whether t of its coordinates is turned around for some unit.
 [[nodiscard]] ModelForm formOf(const Scene& scene, std::size_t model, bool flips);
 
-/// Whether GLU can draw what `form` makes a Shape: it gives coordinates to unit 0 alone, and its axis is z,
-/// which coordinates of the model's space show.
-[[nodiscard]] bool isQuadric(const Scene& scene, std::size_t model, const ModelForm& form);
-
 /// Of its triangles, or else of its lines or points; none: no program draws it.
 [[nodiscard]] const std::vector<std::uint32_t>& drawnIndices(const Mesh& mesh);
 

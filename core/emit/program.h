@@ -99,8 +99,8 @@ private:
 /// A program with key frames is written once for each value that one of them jumps to: so many at most.
 inline constexpr std::size_t maxSwitchedValues = 128;
 
-/// A CMakeLists.txt for the program, with the libraries that it needs. options.source: its file, whose name has
-/// letters, digits, _ and - before ".c".
+/// A CMakeLists.txt for the program, with the libraries that it needs. options.source: its file, whose name
+/// has letters, digits, _ and - before ".c".
 [[nodiscard]] std::string cmakeLists(const std::vector<Line>& program, const ProgramOptions& options);
 
 /// Meshes of more vertices are data at the end of the program.

@@ -60,10 +60,9 @@ static_assert(mipPolicyRows.size() == 9);
     return policy == MipPolicy::GenerateMipmap || policy == MipPolicy::OnUpload;
 }
 
-/// Whether levels are averages of the ones before them.
-[[nodiscard]] constexpr bool averages(MipPolicy policy) {
-    return policy == MipPolicy::Generated || policy == MipPolicy::Missing || policy == MipPolicy::Glu ||
-           isMadeByDriver(policy);
+/// Whether MipOptions choose how levels are averaged; drivers and GLU have a filter of their own.
+[[nodiscard]] constexpr bool takesFilter(MipPolicy policy) {
+    return policy == MipPolicy::Generated || policy == MipPolicy::Missing;
 }
 
 /// The number of levels of a complete chain: floor(log2(largest extent)) + 1 (OpenGL 2.1, section 3.8.8).

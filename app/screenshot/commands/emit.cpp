@@ -27,6 +27,21 @@ struct EmitOptions {
     bool cmake = false;
 };
 
+/// Whether CMake reads the file's name as it is. The error names an option.
+Result<void> checkCMakeName(const std::string& out) {
+    const std::filesystem::path file = std::filesystem::path(out).filename();
+    const std::string stem = file.stem().string();
+    const auto isPlain = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+    };
+    if (file.extension() == ".c" && !stem.starts_with('-') && std::ranges::all_of(stem, isPlain))
+        return {};
+    return fail(ErrorCode::OutOfRange,
+                Sentence("expected letters, digits, _ or - and .c, as CMake reads the name, found \"{0}\"",
+                         file.string()),
+                "--out");
+}
+
 /// Whether other files can be written next to the program. The error names an option.
 Result<void> checkFilesBeside(const EmitOptions& options) {
     if (!options.files && !options.cmake)
@@ -36,17 +51,8 @@ Result<void> checkFilesBeside(const EmitOptions& options) {
                     "--files");
     if (isStandardOutput(options.out))
         return fail(ErrorCode::OutOfRange, "expected a file name, to write other files next to it", "--out");
-    const std::string name = std::filesystem::path(options.out).filename().string();
-    const auto isPlain = [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
-    };
-    const std::string stem = name.substr(0, name.size() - std::min<std::size_t>(2, name.size()));
-    if (options.cmake &&
-        (!name.ends_with(".c") || stem.empty() || stem.front() == '-' || !std::ranges::all_of(stem, isPlain)))
-        return fail(
-            ErrorCode::OutOfRange,
-            Sentence("expected letters, digits, _ or - and .c, as CMake reads the name, found \"{0}\"", name),
-            "--out");
+    if (const Result<void> named = options.cmake ? checkCMakeName(options.out) : Result<void>(); !named)
+        return named;
     std::error_code ignored;
     const std::filesystem::file_status there = std::filesystem::status(options.out, ignored);
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
@@ -65,7 +71,8 @@ Result<void> writeBeside(const std::string& program, const Output& out, const st
     for (const ReadFile& each : files) {
         const std::filesystem::path place = folder / each.name;
         std::error_code ignored;
-        if (weakly_canonical(place, ignored) == weakly_canonical(std::filesystem::path(program), ignored))
+        if (place == std::filesystem::path(program) ||
+            equivalent(place, std::filesystem::path(program), ignored))
             return fail(ErrorCode::Unwritable, "is the name of a file to write next to the program", program);
         const Result<Bytes> there = readFile(place, each.bytes.size());
         if (!there && there.error().code == ErrorCode::NotFound)

@@ -73,7 +73,7 @@ std::optional<Value> vertexListAt(const Scene& scene, const std::string& path) {
         }
     }
     Result<ParamAt> at = paramAt(scene, path);
-    if (at && !path.ends_with(']') && findParam(meshTable(), at->row->key) == at->row)
+    if (at && !path.ends_with(']') && hasElements(*at->row))
         return std::move(at->value);
     return std::nullopt;
 }

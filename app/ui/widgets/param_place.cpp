@@ -49,49 +49,44 @@ float* numberOf(Value& value, int component) {
     return numbers.empty() ? nullptr : &numbers[static_cast<std::size_t>(std::clamp(component, 0, last))];
 }
 
-bool isTexCoord(const ParamPlace& place) {
-    return place.vertex && place.row->member == memberId<&Model::texCoords>;
+/// The list of a vertex's row; of coordinates those that a unit takes from the mesh where it has none.
+Value listOf(const ParamPlace& place) {
+    if (place.row->member != memberId<&Model::texCoords>)
+        return place.row->read(place.owner.values);
+    const Model& model = *static_cast<const Model*>(place.owner.values);
+    return effectiveTexCoords(model, meshOf(model), placeUnitOf(*place.row));
 }
 
-/// The numbers of one vertex of a list; empty if there is no such vertex.
-std::span<float> numbersOf(Value& list, std::size_t vertex) {
-    if (auto* points = std::get_if<std::vector<glm::vec3>>(&list); points && vertex < points->size())
-        return {&(*points)[vertex].x, 3};
-    if (auto* rows = std::get_if<std::vector<glm::vec4>>(&list); rows && vertex < rows->size())
-        return {&(*rows)[vertex].x, 4};
-    return {};
+/// The number of a component of a vertex; nullptr: there is no such vertex.
+float* numberOf(Value& list, std::size_t vertex, int component) {
+    if (auto* points = std::get_if<std::vector<glm::vec3>>(&list))
+        return vertex < points->size() && component >= 0 && component < 3 ? &(*points)[vertex][component]
+                                                                          : nullptr;
+    if (auto* rows = std::get_if<std::vector<glm::vec4>>(&list))
+        return vertex < rows->size() && component >= 0 && component < 4 ? &(*rows)[vertex][component]
+                                                                        : nullptr;
+    return nullptr;
 }
 
-/// Of a list of a mesh.
+std::string elementText(const Value& list, std::size_t vertex) {
+    if (const auto* points = std::get_if<std::vector<glm::vec3>>(&list))
+        return formatNumbers({&(*points)[vertex].x, 3});
+    return formatNumbers({&std::get<std::vector<glm::vec4>>(list)[vertex].x, 4});
+}
+
 void assignElement(const Session& session, const ParamPlace& place, int component, float number) {
-    Value list = place.row->read(place.owner.values);
-    const std::span<float> numbers = numbersOf(list, *place.vertex);
-    const auto at = static_cast<std::size_t>(std::max(component, 0));
-    if (at >= numbers.size() || numbers[at] == number)
+    Value list = listOf(place);
+    float* changed = numberOf(list, *place.vertex, component);
+    if (!changed || *changed == number)
         return;
-    numbers[at] = number;
+    *changed = number;
     const std::string path = fmt::format("{}[{}]", place.owner.pathOf(*place.row), *place.vertex);
-    const bool moves = place.row->member == memberId<&MeshData::positions>;
+    const bool moves =
+        place.row->kind == Kind::TexCoordList || place.row->member == memberId<&MeshData::positions>;
     submit(session, {.name = moves ? Sentence("Move vertex {0}", *place.vertex)
                                    : Sentence("{0}: vertex {1}", Sentence(std::string(place.row->label)),
                                               *place.vertex),
-                     .edits = {edit::Set{path, formatNumbers(numbers)}},
-                     .path = path,
-                     .continues = true});
-}
-
-void assignCoord(const Session& session, const ParamPlace& place, int component, float number) {
-    const Model& model = *static_cast<const Model*>(place.owner.values);
-    const TexCoords coords = effectiveTexCoords(model, meshOf(model), placeUnitOf(*place.row));
-    if (*place.vertex >= coords.size() || component < 0 || component > 3)
-        return;
-    glm::vec4 coord = coords[*place.vertex];
-    if (coord[component] == number)
-        return;
-    coord[component] = number;
-    const std::string path = fmt::format("{}[{}]", place.owner.pathOf(*place.row), *place.vertex);
-    submit(session, {.name = Sentence("Move vertex {0}", *place.vertex),
-                     .edits = {edit::Set{path, formatNumbers({&coord.x, 4})}},
+                     .edits = {edit::Set{path, elementText(list, *place.vertex)}},
                      .path = path,
                      .continues = true});
 }
@@ -109,9 +104,7 @@ std::optional<ParamPlace> placeOf(const Scene& scene, std::string_view path) {
         const std::string_view key = part.substr(0, part.find('['));
         const std::optional<std::size_t> index = placeIndexOf(part);
         if (const ParamRow* row = findParam(*table, key)) {
-            const bool isIndexed =
-                isList(row->kind) && (row->kind == Kind::TexCoordList || table == &meshTable());
-            if (dot != std::string_view::npos || (index && !isIndexed))
+            if (dot != std::string_view::npos || (index && !hasElements(*row)))
                 return std::nullopt;
             place.owner.values = values;
             place.row = row;
@@ -130,19 +123,12 @@ std::optional<ParamPlace> placeOf(const Scene& scene, std::string_view path) {
 }
 
 float numberAt(const ParamPlace& place, int component) {
-    if (isTexCoord(place)) {
-        const Model& model = *static_cast<const Model*>(place.owner.values);
-        const TexCoords coords = effectiveTexCoords(model, meshOf(model), placeUnitOf(*place.row));
-        return *place.vertex < coords.size() && component >= 0 && component < 4
-                   ? coords[*place.vertex][component]
-                   : 0.0F;
+    if (place.vertex) {
+        Value list = listOf(place);
+        const float* number = numberOf(list, *place.vertex, component);
+        return number ? *number : 0.0F;
     }
     Value value = place.row->read(place.owner.values);
-    if (place.vertex) {
-        const std::span<float> numbers = numbersOf(value, *place.vertex);
-        const auto at = static_cast<std::size_t>(std::max(component, 0));
-        return at < numbers.size() ? numbers[at] : 0.0F;
-    }
     if (const int* whole = std::get_if<int>(&value))
         return static_cast<float>(*whole);
     const float* number = numberOf(value, component);
@@ -152,8 +138,6 @@ float numberAt(const ParamPlace& place, int component) {
 void assignNumber(const Session& session, const ParamPlace& place, int component, float number) {
     const Range range = rangeOf(place);
     number = std::clamp(number, range.min, range.max);
-    if (isTexCoord(place))
-        return assignCoord(session, place, component, number);
     if (place.vertex)
         return assignElement(session, place, component, number);
     Value value = place.row->read(place.owner.values);

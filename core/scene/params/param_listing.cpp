@@ -143,7 +143,7 @@ std::string listParams(const ParamFilter& filter) {
         } else {
             out += fmt::format("    Accepts {}.\n", describeAccepted(row));
         }
-        if (row.kind == Kind::TexCoordList || (isList(row.kind) && findParam(meshTable(), row.key) == &row))
+        if (hasElements(row))
             out += fmt::format("    One element is {}[].\n", path);
         if (const std::string call = callFor(row, Unit().target); !call.empty())
             out += fmt::format("    {}\n", call);

@@ -168,15 +168,16 @@ private:
         place_.row = &row;
         if (!part.index)
             return {};
-        const bool isCoords = row.member == memberId<&Model::texCoords>;
-        if (!isCoords && (place_.table != &meshTable() || !isList(row.kind)))
+        if (!hasElements(row))
             return refuse(isList(row.kind) ? "it is set as a whole: expected no index"
                                            : N_("it is a single value: expected no index"));
         place_.vertex = parseIndex(*part.index);
         if (!place_.vertex)
             return refuse(Sentence("expected the number of a vertex in the brackets, found {0}",
                                    inQuotes(*part.index)));
-        return isCoords ? checkVertex(*static_cast<const Model*>(place_.owner)) : checkElement(row);
+        return row.member == memberId<&Model::texCoords>
+                   ? checkVertex(*static_cast<const Model*>(place_.owner))
+                   : checkElement(row);
     }
 
     [[nodiscard]] Result<void> checkElement(const ParamRow& row) const {
@@ -311,6 +312,11 @@ void visitStruct(const StructTable& table, void* owner, const std::string& prefi
 }
 
 } // namespace
+
+bool hasElements(const ParamRow& row) {
+    return row.member == memberId<&Model::texCoords> ||
+           (isList(row.kind) && findParam(meshTable(), row.key) == &row);
+}
 
 void forEachParam(
     const Scene& scene,

@@ -194,6 +194,9 @@ struct ListAt {
 /// Returns the list at a path, "textures" or "passes[0].units". Errors as of getParam.
 [[nodiscard]] Result<ListAt> listAt(Scene& scene, std::string_view path);
 
+/// Whether a path may name one element of a row's list: texture coordinates and the lists of a mesh.
+[[nodiscard]] bool hasElements(const ParamRow& row);
+
 /// Gets or sets one parameter by its path, "passes[0].units[1].envMode". A list of texture coordinates can be
 /// indexed: "models[0].texCoords0[5]" is a single coordinate of 2 to 4 numbers (an empty list is first filled
 /// from the mesh). So can the lists of a mesh, "models[0].mesh.positions[5]", for the elements that they

@@ -460,6 +460,14 @@ INSTANTIATE_TEST_SUITE_P(
                         [](Stage& s) { s.texture().internalFormat = InternalFormat::Srgb8Alpha8; }},
                     Row{"SrgbLevels", "srgb-levels", Warning, "textures[0].mipGamma", "too dark",
                         [](Stage& s) { s.texture().internalFormat = InternalFormat::Sluminance8; }},
+                    Row{"SrgbLevelsOfGlu", "srgb-levels", Warning, "textures[0].mipmaps", "too dark",
+                        [](Stage& s) {
+                            s.texture().internalFormat = InternalFormat::Sluminance8;
+                            s.texture().mipmaps = MipPolicy::Glu;
+                        }},
+                    Row{"SrgbLevelsUnlessTheDriverMakesThem", "srgb-levels", Warning, "textures[0].mipGamma",
+                        "GL_SRGB8", [](Stage& s) { s.texture().internalFormat = InternalFormat::Srgb8; },
+                        [](Stage& s) { s.texture().mipmaps = MipPolicy::GenerateMipmap; }},
                     Row{"SrgbLevelsUnlessSeen", "srgb-levels", Warning, "textures[0].mipGamma", "GL_SRGB8",
                         [](Stage& s) { s.texture().internalFormat = InternalFormat::Srgb8; },
                         [](Stage& s) { s.texture().minFilter = MinFilter::Linear; }}),
@@ -519,6 +527,12 @@ INSTANTIATE_TEST_SUITE_P(
             "file", [](Stage&) {}, [](Stage& s) { s.texture().compression = Compression::Driver; }},
         Row{"MipGammaOfColours", "other-texture-choice", Unused, "textures[0].mipGamma", "colored",
             [](Stage& s) { s.texture().mipmaps = MipPolicy::Colored; },
+            [](Stage& s) { s.texture().mipmaps = MipPolicy::Generated; }},
+        Row{"ScalingByGlu", "other-texture-choice", Unused, "textures[0].npot", "gluBuild2DMipmaps",
+            [](Stage& s) { s.texture().mipmaps = MipPolicy::Glu; },
+            [](Stage& s) { s.texture().mipmaps = MipPolicy::GenerateMipmap; }},
+        Row{"FilterOfTheDriver", "other-texture-choice", Unused, "textures[0].mipFilter", "glGenerateMipmap",
+            [](Stage& s) { s.texture().mipmaps = MipPolicy::GenerateMipmap; },
             [](Stage& s) { s.texture().mipmaps = MipPolicy::Generated; }},
         Row{"ScalingOfFileLevels", "other-texture-choice", Unused, "textures[0].npot", "file",
             [](Stage& s) { s.texture().mipmaps = MipPolicy::FromFile; },

@@ -55,20 +55,17 @@ Scene sceneWith(MipPolicy mipmaps) {
 }
 
 TEST(MipmapCalls, StandBeforeTheBaseLevelIsSet) {
-    EXPECT_THAT(
-        loadingOf(sceneWith(MipPolicy::GenerateMipmap)),
-        ElementsAre("glBindTexture(GL_TEXTURE_2D, textures[0]);", StartsWith("static GLubyte texels["),
-                    StartsWith("checkerboard("),
-                    "glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 64, 64, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);",
-                    "glGenerateMipmap(GL_TEXTURE_2D);",
-                    "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 2);"));
-    EXPECT_THAT(
-        loadingOf(sceneWith(MipPolicy::OnUpload)),
-        ElementsAre("glBindTexture(GL_TEXTURE_2D, textures[0]);", StartsWith("static GLubyte texels["),
-                    StartsWith("checkerboard("),
-                    "glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);",
-                    "glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 64, 64, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);",
-                    "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 2);"));
+    constexpr const char* upload =
+        "glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 64, 64, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);";
+    const auto around = [&](const char* first, const char* second) {
+        return ElementsAre("glBindTexture(GL_TEXTURE_2D, textures[0]);", StartsWith("static GLubyte texels["),
+                           StartsWith("checkerboard("), first, second,
+                           "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 2);");
+    };
+    EXPECT_THAT(loadingOf(sceneWith(MipPolicy::GenerateMipmap)),
+                around(upload, "glGenerateMipmap(GL_TEXTURE_2D);"));
+    EXPECT_THAT(loadingOf(sceneWith(MipPolicy::OnUpload)),
+                around("glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);", upload));
 }
 
 TEST(MipmapCalls, StandBehindTheParametersElsewhere) {
