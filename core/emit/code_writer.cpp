@@ -276,7 +276,7 @@ void CodeWriter::add(std::vector<Part> parts, bool needed) {
 
 void CodeWriter::addSwitch(std::size_t enabling, const std::vector<Part>& parts, bool needed) {
     const std::string path = parts[enabling].path;
-    if (taking_ == Taking::Still || !keys_->isSwitched(path, parts[enabling].text == "glEnable"))
+    if (taking_ == Taking::Still)
         return keys_->refuse(path);
     add({plain("if ("), {Part::Kind::Plain, keys_->use(path), path}, plain(")")}, needed);
     for (const char* function : {"glEnable", "glDisable"}) {

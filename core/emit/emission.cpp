@@ -11,16 +11,21 @@
 namespace texplorer::emit {
 namespace {
 
-/// Whether anything looks at normals: light, and coordinates that reflect.
-bool looksAtNormals(const Pass& pass) {
-    const auto reflects = [](const TexGen& generated) {
-        return generated.enabled && generated.mode != TexGenMode::ObjectLinear &&
-               generated.mode != TexGenMode::EyeLinear;
+/// Whether a pass looks at normals: for light, or for coordinates that reflect.
+bool looksAtNormals(const Scene& scene, const KeyFrames& keys, std::size_t index) {
+    const auto reflects = [](TexGenMode mode) {
+        return mode != TexGenMode::ObjectLinear && mode != TexGenMode::EyeLinear;
     };
-    return pass.enabled && (pass.lighting || std::ranges::any_of(pass.units, [&](const Unit& unit) {
-                                return unit.enabled && (reflects(unit.texGenS) || reflects(unit.texGenT) ||
-                                                        reflects(unit.texGenR) || reflects(unit.texGenQ));
-                            }));
+    const Pass& pass = scene.passes[index];
+    bool looks = pass.lighting;
+    for (std::size_t u = 0; u < maxUnits; ++u) {
+        for (const auto& [state, key, letter] : generatedCoordinates) {
+            const TexGen& generated = pass.units[u].*state;
+            const std::string path = unitPath(index, u, {key(), keyOf<&TexGen::mode>()});
+            looks |= pass.units[u].enabled && generated.enabled && keys.mayBe(path, generated.mode, reflects);
+        }
+    }
+    return pass.enabled && looks;
 }
 
 /// A file that the program may read instead of being given its texels.
@@ -51,21 +56,51 @@ FileReader readerFor(const TexelRequest& request) {
     return start ? readerOf(*start) : FileReader::None;
 }
 
+/// What a program has to be given of the texture objects of a standing scene.
+std::vector<std::optional<TexelRequest>> requestsOf(Flavour flavour, const Scene& scene,
+                                                    const KeyFrames& keys, const ImageSource& images,
+                                                    const ProgramOptions& options) {
+    std::vector<std::optional<TexelRequest>> requests;
+    for (const TextureObject& object : textureObjectsOf(scene, keys)) {
+        const Texture& texture = scene.textures[object.texture];
+        TexturePictures pictures = images.picturesOf(texture);
+        std::optional<TexelRequest>& request = requests.emplace_back();
+        if (!pictures.base || !hasPixels(*pictures.base))
+            continue;
+        const Texture settings = imageSettings(withCallsOf(flavour, texture, options));
+        request.emplace(TexelRequest{{std::move(pictures), settings, object.target}});
+        if (mayRead(texture, images, options)) {
+            request->file = images.directory() / texture.file;
+            request->fileInMemory = images.fileInMemory(texture.file);
+        }
+    }
+    return requests;
+}
+
 } // namespace
+
+std::string unitPath(std::size_t pass, std::size_t unit, std::initializer_list<std::string_view> keys) {
+    std::string path = fmt::format("{}.{}", elementOf<&Scene::passes>(pass), elementOf<&Pass::units>(unit));
+    for (const std::string_view key : keys)
+        path += fmt::format(".{}", key);
+    return path;
+}
 
 Emission::Emission(Flavour flavour, const Scene& drawn, const ImageSource& images,
                    const ProgramOptions& given, TextureCodes& codes, KeyFrames& moving)
     : scene(drawn)
     , options(given)
     , keys(moving)
-    , objects(textureObjectsOf(drawn))
+    , objects(textureObjectsOf(drawn, moving))
     , isCore(flavour == Flavour::Glsl)
-    , isLit(std::ranges::any_of(drawn.passes, [](const Pass& pass) { return pass.enabled && pass.lighting; }))
-    , needsNormals(std::ranges::any_of(drawn.passes, looksAtNormals)) {
+    , isLit(
+          std::ranges::any_of(drawn.passes, [](const Pass& pass) { return pass.enabled && pass.lighting; })) {
+    for (std::size_t p = 0; p < drawn.passes.size(); ++p)
+        needsNormals |= looksAtNormals(drawn, moving, p);
     writer.explain(given.explained);
     for (CodeWriter* each : {&writer, &atStart, &atEnd})
         each->follow(moving);
-    for (const std::optional<TexelRequest>& request : texelRequests(flavour, drawn, images, given))
+    for (const std::optional<TexelRequest>& request : requestsOf(flavour, drawn, moving, images, given))
         texels.push_back(request ? codes.of(*request) : nullptr);
     for (std::size_t i = 0; i < drawn.models.size(); ++i) {
         bool flips = false;
@@ -75,6 +110,32 @@ Emission::Emission(Flavour flavour, const Scene& drawn, const ImageSource& image
     }
     if (!isCore && !given.selfContained)
         takeGlu(*this);
+    refuseShapes();
+}
+
+void Emission::refuseShapes() {
+    for (std::size_t m = 0; m < scene.models.size(); ++m) {
+        const std::string path = elementOf<&Scene::models>(m);
+        for (const std::string& key :
+             {keyOf<&Model::slices>(), keyOf<&Model::stacks>(), keyOf<&Model::topRadius>(),
+              keyOf<&Model::innerRadius>(), keyOf<&Model::tubeRadius>(), keyOf<&Model::startAngle>(),
+              keyOf<&Model::sweepAngle>()}) {
+            if (const std::string param = fmt::format("{}.{}", path, key);
+                keys.moves(param) && models[m].drawing != Drawing::None &&
+                models[m].drawing != Drawing::Quadric)
+                keys.refuse(param);
+        }
+        for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+            for (std::size_t u = 0; u < maxUnits; ++u) {
+                std::vector<std::string> paths;
+                for (const auto& [state, key, letter] : generatedCoordinates)
+                    paths.push_back(unitPath(p, u, {key(), keyOf<&TexGen::enabled>()}));
+                static_cast<void>(keys.decided(scene, paths, [&](const Scene& other) {
+                    return takesCoords(other.passes[p], u, other.models[m]);
+                }));
+            }
+        }
+    }
 }
 
 std::string Emission::passVariable(std::size_t pass) const {
@@ -91,13 +152,21 @@ const TextureCode* Emission::codeOf(const Unit& unit) const {
     return nullptr;
 }
 
-bool Emission::flipsCoords(std::size_t model, std::size_t unit) const {
-    return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
-        const std::vector<std::size_t> drawn = drawnModels(scene, pass);
-        const TextureCode* code = pass.units[unit].enabled ? codeOf(pass.units[unit]) : nullptr;
-        return code && code->lateFlip == LateFlip::Coordinates &&
-               std::ranges::find(drawn, model) != drawn.end();
+LateFlip Emission::lateFlipOf(std::size_t pass, std::size_t unit) const {
+    return keys.decided(scene, {unitPath(pass, unit, {keyOf<&Unit::texture>()})}, [&](const Scene& other) {
+        const Unit& given = other.passes[pass].units[unit];
+        const TextureCode* code = given.enabled ? codeOf(given) : nullptr;
+        return code ? code->lateFlip : LateFlip::None;
     });
+}
+
+bool Emission::flipsCoords(std::size_t model, std::size_t unit) const {
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        const std::vector<std::size_t> drawn = drawnModels(scene, scene.passes[p]);
+        if (std::ranges::find(drawn, model) != drawn.end() && lateFlipOf(p, unit) == LateFlip::Coordinates)
+            return true;
+    }
+    return false;
 }
 
 void Emission::addData(const std::string& type, const std::string& name, std::size_t count,
@@ -113,21 +182,10 @@ void Emission::addData(const std::string& type, const std::string& name, std::si
 
 std::vector<std::optional<TexelRequest>>
 texelRequests(Flavour flavour, const Scene& scene, const ImageSource& images, const ProgramOptions& options) {
-    std::vector<std::optional<TexelRequest>> requests;
-    for (const TextureObject& object : textureObjectsOf(scene)) {
-        const Texture& texture = scene.textures[object.texture];
-        TexturePictures pictures = images.picturesOf(texture);
-        std::optional<TexelRequest>& request = requests.emplace_back();
-        if (!pictures.base || !hasPixels(*pictures.base))
-            continue;
-        const Texture settings = imageSettings(withCallsOf(flavour, texture, options));
-        request.emplace(TexelRequest{{std::move(pictures), settings, object.target}});
-        if (mayRead(texture, images, options)) {
-            request->file = images.directory() / texture.file;
-            request->fileInMemory = images.fileInMemory(texture.file);
-        }
-    }
-    return requests;
+    if (scene.timeline.keys.empty())
+        return requestsOf(flavour, scene, {}, images, options);
+    const KeyFrames keys(flavour, scene);
+    return requestsOf(flavour, keys.standing(), keys, images, options);
 }
 
 TextureCodes::Code TextureCodes::of(const TexelRequest& request) {

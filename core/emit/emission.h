@@ -4,6 +4,7 @@
 #include "texplorer/emit/code_writer.h"
 #include "texplorer/emit/model_data.h"
 #include "texplorer/emit/program.h"
+#include "texplorer/scene/params/keys.h"
 #include "texplorer/scene/scene.h"
 
 #include <array>
@@ -25,7 +26,7 @@ struct TextureObject {
 };
 
 /// One object for each texture, in their order; then those that show one on another target, too.
-[[nodiscard]] std::vector<TextureObject> textureObjectsOf(const Scene& scene);
+[[nodiscard]] std::vector<TextureObject> textureObjectsOf(const Scene& scene, const KeyFrames& keys);
 
 /// What OpenGL has when a frame begins and what it is left with may be two things, as each frame begins with
 /// what the last one left. Where they differ nothing is known when a frame begins.
@@ -44,6 +45,23 @@ struct FrameStart {
     return fail(ErrorCode::Unsupported, std::move(sentence), path + '.' + key);
 }
 
+/// How one of s, t, r and q is generated.
+struct GeneratedCoordinate {
+    TexGen Unit::*state;
+    Key key;
+    std::string_view letter;
+};
+inline constexpr std::array<GeneratedCoordinate, 4> generatedCoordinates{{
+    {&Unit::texGenS, keyOf<&Unit::texGenS>, "s"},
+    {&Unit::texGenT, keyOf<&Unit::texGenT>, "t"},
+    {&Unit::texGenR, keyOf<&Unit::texGenR>, "r"},
+    {&Unit::texGenQ, keyOf<&Unit::texGenQ>, "q"},
+}};
+
+/// "passes[0].units[1]", and of what is in it: "passes[0].units[1].texGenS.mode".
+[[nodiscard]] std::string unitPath(std::size_t pass, std::size_t unit,
+                                   std::initializer_list<std::string_view> keys = {});
+
 /// What is written, and what the parts of it have to know of each other.
 struct Emission {
     Emission(Flavour flavour, const Scene& drawn, const ImageSource& images, const ProgramOptions& options,
@@ -61,7 +79,7 @@ struct Emission {
     std::vector<ModelForm> models;                                  ///< how each is drawn
     bool isCore;                     ///< OpenGL 3.3 without what it took from OpenGL 2.1
     bool isLit;                      ///< some pass is
-    bool needsNormals;               ///< some pass is lit or reflects
+    bool needsNormals = false;       ///< some pass is lit or reflects
     bool hasLightExtent = false;     ///< a constant of the program
     bool callsGlu = false;           ///< for shapes or levels: then for the projection, too
     std::set<std::size_t> leftOut{}; ///< of the objects: nothing shows them
@@ -77,12 +95,18 @@ struct Emission {
     [[nodiscard]] std::string passVariable(std::size_t pass) const;
     /// The texture object that a unit shows, or nullptr.
     [[nodiscard]] const TextureCode* codeOf(const Unit& unit) const;
-    /// Whether t of a model's coordinates for a unit is turned around: the image lies upside down.
+    /// How a unit's image, which lies upside down, is turned around.
+    [[nodiscard]] LateFlip lateFlipOf(std::size_t pass, std::size_t unit) const;
+    /// Whether t of a model's coordinates for a unit is turned around.
     [[nodiscard]] bool flipsCoords(std::size_t model, std::size_t unit) const;
     /// What has many numbers: its name at the start, the numbers at the end of the program.
     void addData(const std::string& type, const std::string& name, std::size_t count, Numbers numbers);
     void addData(const std::string& type, const std::string& name, std::size_t count, std::string numbers);
     void use(CFunction function) { addWithCallees(functions, function); }
+
+private:
+    /// Refuses what decides which vertices models have and which numbers a vertex has.
+    void refuseShapes();
 };
 
 // The program of a scene as it stands; what moves of it by key frames does so as `keys` say, which afterwards
@@ -99,6 +123,10 @@ void writeKeyFrames(Emission& emission);
 /// At the start of a frame: the variables are what the keys say then.
 void writeKeyFramesCall(Emission& emission);
 
+/// Paths of a texture's parameters; of those that say whether an average reads the border.
+[[nodiscard]] std::vector<std::string> texturePaths(std::size_t texture,
+                                                    std::initializer_list<std::string> keys);
+[[nodiscard]] std::vector<std::string> samplerPaths(std::size_t texture);
 /// Then GL_CLAMP and GL_CLAMP_TO_EDGE are one: only averages ask for the border.
 [[nodiscard]] bool readsNearestAlone(const Texture& texture);
 /// The functions that load the textures.
@@ -118,6 +146,8 @@ void writeCamera(Emission& emission);
 void declareCamera(Emission& emission);
 /// The variable of what the mouse changes, with what key frames say of it.
 [[nodiscard]] std::string cameraVariable(Emission& emission, MemberId member);
+/// What the matrices of the light are computed of.
+[[nodiscard]] std::vector<std::string> lightPaths();
 /// What multiplies by the projection of what the light sees, and by its view of eye coordinates, whose
 /// array's name begins with `variable`.
 void writeLightProjection(Emission& emission);
@@ -131,7 +161,7 @@ void writeShadowMapCalls(Emission& emission);
 [[nodiscard]] std::vector<std::size_t> modelsInLight(const Scene& scene);
 [[nodiscard]] bool spinsInLight(const Emission& emission);
 /// Where a program can't draw what the light sees: why.
-[[nodiscard]] Result<void> checkShadowMaps(const Scene& scene);
+[[nodiscard]] Result<void> checkShadowMaps(const Scene& scene, const KeyFrames& keys);
 /// The scene's: all of it.
 void writeMaterial(Emission& emission);
 /// How all of them are shaded, where that moves.
@@ -139,6 +169,9 @@ void writeMovingShadeModel(Emission& emission);
 /// A model's: what differs from the one that was written before.
 void writeMaterial(Emission& emission, std::size_t model);
 void writeUnits(Emission& emission, std::size_t pass);
+/// "glBindTexture(GL_TEXTURE_2D, textures[0]);" of a unit that is on; empty: there is no such texture.
+[[nodiscard]] std::vector<Part> bindingCall(Emission& emission, const Unit& unit,
+                                            const std::string& unitPath);
 /// The first step of a unit's matrix that counts: those before one that loads a matrix are void.
 [[nodiscard]] std::size_t firstStep(const Unit& unit);
 /// Whether the matrix of a unit of a pass changes with the time.

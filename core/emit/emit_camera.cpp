@@ -9,6 +9,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace texplorer::emit {
@@ -182,23 +183,33 @@ void writeCamera(Emission& emission) {
                view.target != glm::vec3(0));
 }
 
+std::vector<std::string> lightPaths() {
+    return {pathOf<&Scene::light, &Light::position>(), pathOf<&Scene::light, &Light::projector>()};
+}
+
 void writeLightProjection(Emission& emission) {
     const Light& light = emission.scene.light;
     const Projector& projector = light.projector;
-    const LightView seen = lightView(light);
-    const bool isCut = seen.farthest != double{projector.farthest};
+    const auto computed = [](const Scene& scene) { // what isn't the value of one parameter
+        const LightView view = lightView(scene.light);
+        const bool isParallel = scene.light.position.w == 0;
+        const bool isCut = view.farthest != double{scene.light.projector.farthest};
+        return std::tuple(isParallel, isParallel ? view.extent : 0, isCut, isCut ? view.farthest : 0);
+    };
+    const auto [isParallel, extent, isCut, farthest] =
+        emission.keys.decided(emission.scene, lightPaths(), computed);
     std::vector<Part> range{
         plain(", "),
         number(projector.nearest, pathOf<&Scene::light, &Light::projector, &Projector::nearest>()),
         plain(", "),
-        isCut ? plain(fmt::format("{}", seen.farthest))
+        isCut ? plain(fmt::format("{}", farthest))
               : number(projector.farthest, pathOf<&Scene::light, &Light::projector, &Projector::farthest>()),
         plain(");")};
     std::vector<Part> parts;
-    if (light.position.w == 0) {
+    if (isParallel) {
         if (!std::exchange(emission.hasLightExtent, true))
             emission.atStart.add(
-                {plain(fmt::format("static const GLdouble lightExtent = {}; ", seen.extent)),
+                {plain(fmt::format("static const GLdouble lightExtent = {}; ", extent)),
                  {Part::Kind::Comment, "/* half of what the light sees, in width and height */"}});
         parts = {call("glOrtho"), plain("(-lightExtent, lightExtent, -lightExtent, lightExtent")};
     } else {
@@ -212,7 +223,9 @@ void writeLightProjection(Emission& emission) {
 }
 
 void writeLightView(Emission& emission, const std::string& variable) {
-    const glm::mat4 view(lightView(emission.scene.light).view);
+    const glm::mat4 view = emission.keys.decided(emission.scene, lightPaths(), [](const Scene& scene) {
+        return glm::mat4(lightView(scene.light).view);
+    });
     emission.writer.floats(variable, numbers({glm::value_ptr(view), 16}));
     emission.writer.add({call("glMultMatrixf"), plain(fmt::format("({});", variable))});
 }

@@ -540,9 +540,7 @@ private:
     void moveCoords(const Pass& pass, std::size_t unit) {
         const Emboss& emboss = pass.units[unit].emboss;
         const auto index = static_cast<std::size_t>(&pass - emission_.scene.passes.data());
-        const std::string depth =
-            fmt::format("{}.{}.{}.{}", elementOf<&Scene::passes>(index), elementOf<&Pass::units>(unit),
-                        keyOf<&Unit::emboss>(), keyOf<&Emboss::depth>());
+        const std::string depth = unitPath(index, unit, {keyOf<&Unit::emboss>(), keyOf<&Emboss::depth>()});
         const glm::vec4& light = emission_.scene.light.position;
         writer_.add("{");
         writer_.indent();

@@ -12,24 +12,37 @@ namespace texplorer::emit {
 namespace {
 
 /// GLU gives coordinates to unit 0 alone, and its axis is z, which coordinates of the model's space show.
-bool isQuadric(const Scene& scene, std::size_t index, const ModelForm& form) {
+bool isQuadric(Emission& emission, std::size_t index, const ModelForm& form) {
     constexpr int maxOfGlu = 239; // Mesa's GLU makes more slices or stacks as many
-    const Model& model = scene.models[index];
-    if (form.drawing != Drawing::Shape || model.shape == Shape::Torus ||
-        std::max(model.slices, model.stacks) > maxOfGlu ||
+    const Scene& scene = emission.scene;
+    const auto hasFew = [&](const Scene& other) {
+        return std::max(other.models[index].slices, other.models[index].stacks) <= maxOfGlu;
+    };
+    const std::string path = elementOf<&Scene::models>(index);
+    if (form.drawing != Drawing::Shape || scene.models[index].shape == Shape::Torus ||
+        !emission.keys.decided(scene,
+                               {fmt::format("{}.{}", path, keyOf<&Model::slices>()),
+                                fmt::format("{}.{}", path, keyOf<&Model::stacks>())},
+                               hasFew) ||
         std::find(form.coords.begin() + 1, form.coords.end(), true) != form.coords.end())
         return false;
-    const auto showsAxes = [](const TexGen& generated) {
-        return generated.enabled && generated.mode == TexGenMode::ObjectLinear;
+    const auto showsAxes = [&](std::size_t pass, std::size_t unit) {
+        return std::ranges::any_of(generatedCoordinates, [&](const GeneratedCoordinate& coordinate) {
+            const TexGen& generated = scene.passes[pass].units[unit].*coordinate.state;
+            const std::string mode = unitPath(pass, unit, {coordinate.key(), keyOf<&TexGen::mode>()});
+            return generated.enabled && emission.keys.mayBe(mode, generated.mode, [](TexGenMode is) {
+                return is == TexGenMode::ObjectLinear;
+            });
+        });
     };
-    return std::ranges::none_of(scene.passes, [&](const Pass& pass) {
-        const std::vector<std::size_t> drawn = drawnModels(scene, pass);
-        return std::ranges::find(drawn, index) != drawn.end() &&
-               std::ranges::any_of(pass.units, [&](const Unit& unit) {
-                   return unit.enabled && (showsAxes(unit.texGenS) || showsAxes(unit.texGenT) ||
-                                           showsAxes(unit.texGenR) || showsAxes(unit.texGenQ));
-               });
-    });
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        const std::vector<std::size_t> drawn = drawnModels(scene, scene.passes[p]);
+        for (std::size_t u = 0; u < maxUnits && std::ranges::find(drawn, index) != drawn.end(); ++u) {
+            if (scene.passes[p].units[u].enabled && showsAxes(p, u))
+                return false;
+        }
+    }
+    return true;
 }
 
 } // namespace
@@ -44,7 +57,7 @@ bool hasQuadrics(const Emission& emission) {
 
 void takeGlu(Emission& emission) {
     for (std::size_t i = 0; i < emission.models.size(); ++i) {
-        if (isQuadric(emission.scene, i, emission.models[i]))
+        if (isQuadric(emission, i, emission.models[i]))
             emission.models[i].drawing = Drawing::Quadric;
     }
     const auto isGlu = [](const auto& code) { return code && *code && (*code)->mipmaps == MipPolicy::Glu; };

@@ -13,13 +13,18 @@
 namespace texplorer::emit {
 namespace {
 
-bool isShown(const Scene& scene, const TextureObject& object) {
-    return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
-        return drawsAnything(scene, pass) && std::ranges::any_of(pass.units, [&](const Unit& unit) {
-                   return unit.enabled && unit.target == object.target &&
-                          static_cast<std::size_t>(unit.texture) == object.texture;
-               });
-    });
+bool isShown(const Scene& scene, const KeyFrames& keys, const TextureObject& object) {
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        for (std::size_t u = 0; u < maxUnits && drawsAnything(scene, scene.passes[p]); ++u) {
+            const Unit& unit = scene.passes[p].units[u];
+            const std::vector<int> textures =
+                keys.indicesOf(unitPath(p, u, {keyOf<&Unit::texture>()}), unit.texture);
+            if (unit.enabled && unit.target == object.target &&
+                std::ranges::find(textures, static_cast<int>(object.texture)) != textures.end())
+                return true;
+        }
+    }
+    return false;
 }
 
 /// No texture takes part, least of all the one that is drawn into.
@@ -66,13 +71,13 @@ bool spinsInLight(const Emission& emission) {
 bool isShadowMap(const Emission& emission, std::size_t object) {
     const TextureObject& held = emission.objects[object];
     return emission.scene.textures[held.texture].source == SourceKind::LightDepth &&
-           isShown(emission.scene, held);
+           isShown(emission.scene, emission.keys, held);
 }
 
-Result<void> checkShadowMaps(const Scene& scene) {
-    for (const TextureObject& object : textureObjectsOf(scene)) {
+Result<void> checkShadowMaps(const Scene& scene, const KeyFrames& keys) {
+    for (const TextureObject& object : textureObjectsOf(scene, keys)) {
         const Texture& texture = scene.textures[object.texture];
-        if (texture.source != SourceKind::LightDepth || !isShown(scene, object))
+        if (texture.source != SourceKind::LightDepth || !isShown(scene, keys, object))
             continue;
         const std::string path = elementOf<&Scene::textures>(object.texture);
         if (object.target != Target::Texture2D)

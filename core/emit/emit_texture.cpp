@@ -54,12 +54,24 @@ void writeSwizzle(Emission& emission, const reference::SampledTexture& shape, Ta
 }
 
 /// As the flavour has it.
-Texture adapted(const Emission& emission, std::size_t object) {
-    Texture texture = emission.scene.textures[emission.objects[object].texture];
-    if (emission.isCore) {
-        const Wrap other = readsNearestAlone(texture) ? Wrap::ClampToEdge : Wrap::ClampToBorder;
-        for (Wrap* wrap : {&texture.wrapS, &texture.wrapT, &texture.wrapR})
-            *wrap = *wrap == Wrap::Clamp ? other : *wrap; // the core profile has no GL_CLAMP
+Texture adapted(Emission& emission, std::size_t object) {
+    const std::size_t index = emission.objects[object].texture;
+    Texture texture = emission.scene.textures[index];
+    if (emission.isCore) { // which has no GL_CLAMP
+        constexpr std::array wraps{&SamplerState::wrapS, &SamplerState::wrapT, &SamplerState::wrapR};
+        const auto others =
+            emission.keys.decided(emission.scene, samplerPaths(index), [&](const Scene& scene) {
+                const Texture& given = scene.textures[index];
+                const Wrap other = readsNearestAlone(given) ? Wrap::ClampToEdge : Wrap::ClampToBorder;
+                std::array<std::optional<Wrap>, 3> found;
+                for (std::size_t i = 0; i < wraps.size(); ++i) {
+                    if (given.*wraps.at(i) == Wrap::Clamp)
+                        found.at(i) = other;
+                }
+                return found;
+            });
+        for (std::size_t i = 0; i < wraps.size(); ++i)
+            texture.*wraps.at(i) = others.at(i).value_or(texture.*wraps.at(i));
     }
     texture.baseLevel = std::max(0, texture.baseLevel); // OpenGL refuses another
     return texture;
@@ -83,44 +95,51 @@ std::optional<std::size_t> unitOf(const Emission& emission, const TextureObject&
     for (std::size_t p = 0; p < emission.scene.passes.size(); ++p) {
         const Pass& pass = emission.scene.passes[p];
         for (std::size_t u = 0; u < maxUnits && drawsAnything(emission.scene, pass); ++u) {
-            const std::string texture = fmt::format("{}.{}.{}", elementOf<&Scene::passes>(p),
-                                                    elementOf<&Pass::units>(u), keyOf<&Unit::texture>());
             const Unit& unit = pass.units[u];
             if (unit.enabled && unit.target == object.target &&
-                (static_cast<std::size_t>(unit.texture) == object.texture || emission.keys.moves(texture)))
+                (static_cast<std::size_t>(unit.texture) == object.texture ||
+                 emission.keys.moves(unitPath(p, u, {keyOf<&Unit::texture>()}))))
                 return u;
         }
     }
     return std::nullopt;
 }
 
-/// Where OpenGL is given another than the scene's, keys can't move it.
-void refuseMaxLevel(Emission& emission, std::size_t object) {
+/// The maximum level that OpenGL is given, where it isn't the scene's.
+std::optional<int> givenMaxLevel(Emission& emission, std::size_t object) {
     const std::size_t index = emission.objects[object].texture;
-    const Texture& texture = emission.scene.textures[index];
-    const std::string path =
-        fmt::format("{}.{}", elementOf<&Scene::textures>(index), keyOf<&Texture::maxLevel>());
-    if (!emission.keys.moves(path) || !emission.texels[object] || !*emission.texels[object])
-        return;
-    const TextureCode& code = **emission.texels[object];
-    if (appliedTexture(texture, code.shape, code.lastLevel, {}).texture.maxLevel != texture.maxLevel)
+    const auto& code = emission.texels[object];
+    if (!code || !*code)
+        return std::nullopt;
+    const auto given = [&](const Scene& scene) -> std::optional<int> {
+        const Texture& texture = scene.textures[index];
+        const int level = appliedTexture(texture, (*code)->shape, (*code)->lastLevel, {}).texture.maxLevel;
+        return level == texture.maxLevel ? std::nullopt : std::optional(level);
+    };
+    const std::optional<int> level =
+        emission.keys.decided(emission.scene,
+                              texturePaths(index, {keyOf<&Texture::baseLevel>(), keyOf<&Texture::maxLevel>(),
+                                                   keyOf<&Texture::minFilter>()}),
+                              given);
+    if (const std::string path = texturePaths(index, {keyOf<&Texture::maxLevel>()}).front();
+        level && emission.keys.moves(path))
         emission.keys.refuse(path);
+    return level;
 }
 
 /// Where a renderer gives OpenGL another than the scene's.
 void writeMaxLevel(Emission& emission, const Holder& holder, std::size_t object) {
     const Texture& texture = emission.scene.textures[emission.objects[object].texture];
-    const auto& code = emission.texels[object];
-    if (!code || !*code || (texture.source == SourceKind::LightDepth && !isShadowMap(emission, object)))
+    if (texture.source == SourceKind::LightDepth && !isShadowMap(emission, object))
         return;
-    const int level = appliedTexture(texture, (*code)->shape, (*code)->lastLevel, {}).texture.maxLevel;
-    if (level == texture.maxLevel)
+    const std::optional<int> level = givenMaxLevel(emission, object);
+    if (!level)
         return;
-    const bool isFew = level < texture.maxLevel;
+    const bool isFew = *level < texture.maxLevel;
     emission.writer.add(
         {call("glTexParameteri"),
          plain(fmt::format("({}, {}, {}); ", rowOf(holder.target).name,
-                           glNameOf(*findParam(textureTable(), keyOf<&Texture::maxLevel>())), level)),
+                           glNameOf(*findParam(textureTable(), keyOf<&Texture::maxLevel>())), *level)),
          {Part::Kind::Comment,
           isFew ? "/* there are no more levels */" : "/* at least the base level, or Mesa crashes */"}});
 }
@@ -139,7 +158,10 @@ void writeTexture(Emission& emission, std::size_t object) {
         callWith("glBindTexture", {plain(fmt::format("{}, textures[{}]", rowOf(target).name, object))}));
     const auto& code = emission.texels[object];
     // The driver makes levels above the base level alone.
-    const bool levelsFirst = code && *code && isMadeByDriver((*code)->mipmaps) && texture.baseLevel > 0;
+    const bool isHigher =
+        emission.keys.decided(emission.scene, texturePaths(index, {keyOf<&Texture::baseLevel>()}),
+                              [i = index](const Scene& scene) { return scene.textures[i].baseLevel > 0; });
+    const bool levelsFirst = code && *code && isMadeByDriver((*code)->mipmaps) && isHigher;
     if (levelsFirst)
         writeTexels(emission, holder, object);
     writeParameters(emission, texture, object);
@@ -153,13 +175,17 @@ void writeTexture(Emission& emission, std::size_t object) {
 
 } // namespace
 
-std::vector<TextureObject> textureObjectsOf(const Scene& scene) {
+std::vector<TextureObject> textureObjectsOf(const Scene& scene, const KeyFrames& keys) {
     std::vector<TextureObject> pairs; // as they are shown
-    for (const Pass& pass : scene.passes) {
-        for (const Unit& unit : pass.units) {
-            if (pass.enabled && unit.enabled &&
-                static_cast<std::size_t>(unit.texture) < scene.textures.size())
-                pairs.push_back({static_cast<std::size_t>(unit.texture), unit.target});
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        for (std::size_t u = 0; u < maxUnits; ++u) {
+            const Unit& unit = scene.passes[p].units[u];
+            const std::string path = unitPath(p, u, {keyOf<&Unit::texture>()});
+            for (const int texture : keys.indicesOf(path, unit.texture)) {
+                const auto index = static_cast<std::size_t>(texture);
+                if (scene.passes[p].enabled && unit.enabled && index < scene.textures.size())
+                    pairs.push_back({index, unit.target});
+            }
         }
     }
     std::vector<TextureObject> objects;
@@ -172,6 +198,19 @@ std::vector<TextureObject> textureObjectsOf(const Scene& scene) {
             objects.push_back(pair);
     }
     return objects;
+}
+
+std::vector<std::string> texturePaths(std::size_t texture, std::initializer_list<std::string> keys) {
+    std::vector<std::string> paths;
+    for (const std::string& key : keys)
+        paths.push_back(fmt::format("{}.{}", elementOf<&Scene::textures>(texture), key));
+    return paths;
+}
+
+std::vector<std::string> samplerPaths(std::size_t texture) {
+    return texturePaths(texture,
+                        {keyOf<&Texture::minFilter>(), keyOf<&Texture::magFilter>(), keyOf<&Texture::wrapS>(),
+                         keyOf<&Texture::wrapT>(), keyOf<&Texture::wrapR>()});
 }
 
 bool readsNearestAlone(const Texture& texture) {
@@ -196,7 +235,7 @@ void writeMovingTextures(Emission& emission) {
         if (!unit || emission.leftOut.contains(i) ||
             !writer.movesBelow(elementOf<&Scene::textures>(object.texture) + "."))
             continue;
-        refuseMaxLevel(emission, i);
+        static_cast<void>(givenMaxLevel(emission, i));
         const std::size_t start = writer.size();
         writer.heading(fmt::format("texture {}", object.texture));
         writer.add(fmt::format("glActiveTexture({});", textureUnitName(*unit)),

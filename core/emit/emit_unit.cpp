@@ -11,18 +11,6 @@
 namespace texplorer::emit {
 namespace {
 
-struct GeneratedCoordinate {
-    TexGen Unit::*state;
-    Key key;
-    std::string_view letter;
-};
-constexpr std::array<GeneratedCoordinate, 4> generatedCoordinates{{
-    {&Unit::texGenS, keyOf<&Unit::texGenS>, "s"},
-    {&Unit::texGenT, keyOf<&Unit::texGenT>, "t"},
-    {&Unit::texGenR, keyOf<&Unit::texGenR>, "r"},
-    {&Unit::texGenQ, keyOf<&Unit::texGenQ>, "q"},
-}};
-
 /// The three numbers of a vector that changes with time, "1.0f, 0.0f + 0.5f * seconds, 0.0f".
 std::vector<Part> movingNumbers(CodeWriter& writer, const glm::vec3& start, const glm::vec3& rate,
                                 const std::string& startPath, const std::string& ratePath) {
@@ -144,11 +132,12 @@ public:
         , writer_(emission.writer)
         , unit_(emission.scene.passes[pass].units[index])
         , movesSomeMatrix_(movesSomeMatrix(emission, pass))
+        , pass_(pass)
         , index_(index)
         , holder_{unitTable(),
                   &unit_,
                   &initialUnit(),
-                  fmt::format("{}.{}", elementOf<&Scene::passes>(pass), elementOf<&Pass::units>(index)),
+                  unitPath(pass, index),
                   elementOf<&Pass::units>(index),
                   joined(emission.passVariable(pass), fmt::format("unit{}", index)),
                   unit_.target} {}
@@ -240,7 +229,8 @@ private:
             if (std::ranges::find(taken, row.member) == taken.end())
                 writer_.row(holder_, row);
         }
-        if (unit_.envMode == EnvMode::Combine) {
+        if (emission_.keys.mayBe(own(keyOf<&Unit::envMode>()), unit_.envMode,
+                                 [](EnvMode mode) { return mode == EnvMode::Combine; })) {
             const Holder combine = part(combineTable(), &unit_.combine, &initialUnit().combine,
                                         keyOf<&Unit::combine>(), keyOf<&Unit::combine>());
             for (const ParamRow& row : combine.table.params)
@@ -250,18 +240,8 @@ private:
     }
 
     void bind() {
-        const auto texture = static_cast<std::size_t>(unit_.texture);
-        const auto found = std::ranges::find(emission_.objects, TextureObject{texture, unit_.target});
-        if (found == emission_.objects.end())
-            return;
-        const auto object = static_cast<std::size_t>(found - emission_.objects.begin());
-        // An index is the texture's own, but for one that is shown on a second target.
-        const Part index = object == texture ? whole(unit_.texture, own(keyOf<&Unit::texture>()))
-                                             : plain(fmt::format("{}", object));
-        std::vector<Part> parts =
-            callWith("glBindTexture",
-                     {plain(fmt::format("{}, textures[", rowOf(unit_.target).name)), index, plain("]")});
-        if (writer_.takes(parts))
+        std::vector<Part> parts = bindingCall(emission_, unit_, holder_.path);
+        if (!parts.empty() && writer_.takes(parts))
             writer_.add(std::move(parts));
     }
 
@@ -287,10 +267,14 @@ private:
                 !writer_.moves(fmt::format("{}.{}", holder.path, keyOf<&TexGen::enabled>())))
                 continue;
             writer_.row(holder, memberId<&TexGen::mode>);
-            if (generated.mode == TexGenMode::ObjectLinear)
+            const auto mayBe = [&](TexGenMode mode) {
+                return emission_.keys.mayBe(fmt::format("{}.{}", holder.path, keyOf<&TexGen::mode>()),
+                                            generated.mode, [&](TexGenMode is) { return is == mode; });
+            };
+            if (mayBe(TexGenMode::ObjectLinear))
                 writer_.row(holder, memberId<&TexGen::objectPlane>);
             const std::string plane = fmt::format("{}.{}", holder.path, keyOf<&TexGen::eyePlane>());
-            if (generated.mode == TexGenMode::EyeLinear && writer_.takes({{Part::Kind::Number, {}, plane}}))
+            if (mayBe(TexGenMode::EyeLinear) && writer_.takes({{Part::Kind::Number, {}, plane}}))
                 eyePlanes.push_back(holder);
         }
         if (eyePlanes.empty())
@@ -309,8 +293,7 @@ private:
 
     void writeMatrix() {
         bool& hasMatrix = emission_.hasMatrix[index_];
-        const TextureCode* texels = emission_.codeOf(unit_);
-        const bool flips = texels && texels->lateFlip == LateFlip::Matrix;
+        const bool flips = emission_.lateFlipOf(pass_, index_) == LateFlip::Matrix;
         if (unit_.matrix.empty() && !flips && !hasMatrix)
             return;
         writer_.add(fmt::format("glMatrixMode({});", textureMode));
@@ -331,11 +314,31 @@ private:
     /// Then the matrices of all units are set in every frame: when one is, Mesa 22.3 forgets those that
     /// aren't.
     bool movesSomeMatrix_;
+    std::size_t pass_;
     std::size_t index_;
     Holder holder_;
 };
 
 } // namespace
+
+std::vector<Part> bindingCall(Emission& emission, const Unit& unit, const std::string& unitPath) {
+    const auto objectOf = [&](int texture) {
+        const auto found = std::ranges::find(emission.objects,
+                                             TextureObject{static_cast<std::size_t>(texture), unit.target});
+        return static_cast<int>(found - emission.objects.begin());
+    };
+    const std::string path = fmt::format("{}.{}", unitPath, keyOf<&Unit::texture>());
+    const int object = objectOf(unit.texture);
+    if (object == static_cast<int>(emission.objects.size()))
+        return {};
+    // An index is the texture's own, but for one that is shown on a second target.
+    const auto isOwn = [&](int texture) { return objectOf(texture) == texture; };
+    if (emission.keys.moves(path) && !std::ranges::all_of(emission.keys.indicesOf(path, unit.texture), isOwn))
+        emission.keys.refuse(path);
+    const Part index = isOwn(unit.texture) ? whole(unit.texture, path) : plain(fmt::format("{}", object));
+    return callWith("glBindTexture",
+                    {plain(fmt::format("{}, textures[", rowOf(unit.target).name)), index, plain("]")});
+}
 
 std::size_t firstStep(const Unit& unit) {
     for (std::size_t i = unit.matrix.size(); i > 0; --i) {
@@ -347,9 +350,7 @@ std::size_t firstStep(const Unit& unit) {
 
 bool movesMatrix(const Emission& emission, std::size_t pass, std::size_t index) {
     const Unit& unit = emission.scene.passes[pass].units[index];
-    const std::string path = fmt::format("{}.{}.{}[", elementOf<&Scene::passes>(pass),
-                                         elementOf<&Pass::units>(index), keyOf<&Unit::matrix>());
-    return emission.keys.movesBelow(path) ||
+    return emission.keys.movesBelow(unitPath(pass, index, {keyOf<&Unit::matrix>() + "["})) ||
            std::any_of(unit.matrix.begin() + static_cast<std::ptrdiff_t>(firstStep(unit)), unit.matrix.end(),
                        [](const MatrixStep& step) {
                            return step.op != MatrixOp::Multiply && step.op != MatrixOp::Load &&

@@ -213,7 +213,7 @@ private:
 
 Result<std::vector<Line>> fixedProgram(const Scene& scene, const ImageSource& images,
                                        const ProgramOptions& options, TextureCodes& codes, KeyFrames& keys) {
-    if (const Result<void> possible = checkShadowMaps(scene); !possible)
+    if (const Result<void> possible = checkShadowMaps(scene, keys); !possible)
         return fail(possible.error());
     FrameStart start;
     bool moves = false;

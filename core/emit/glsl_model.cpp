@@ -416,10 +416,8 @@ private:
         std::vector<Part> moved{
             plain(fmt::format("emboss({0}, {1}Positions, {1}GivenTexCoords{2}, {1}Tangents{2}, {3}, ",
                               mesh_.vertices.size(), variable_, unit, name))};
-        moved.push_back(
-            number(settings.depth, fmt::format("{}.{}.{}.{}", elementOf<&Scene::passes>(pass.index),
-                                               elementOf<&Pass::units>(unit), keyOf<&Unit::emboss>(),
-                                               keyOf<&Emboss::depth>())));
+        moved.push_back(number(
+            settings.depth, unitPath(pass.index, unit, {keyOf<&Unit::emboss>(), keyOf<&Emboss::depth>()})));
         moved.push_back(plain(fmt::format(", {}Embossed{});", variable_, unit)));
         writer_.add(std::move(moved));
         writer_.add(fmt::format("glBindBuffer(GL_ARRAY_BUFFER, {}EmbossedBuffer{});", variable_, unit));

@@ -24,20 +24,16 @@ std::vector<Part> lightPart(const glm::vec4& color, const std::string& key) {
 }
 
 /// Clamped as OpenGL does; what it changes names no parameter.
-std::vector<Part> colorParts(const glm::vec4& color, std::size_t count, const std::string& path) {
-    const glm::vec4 clamped = glm::clamp(color, 0.0F, 1.0F);
-    return numbers({&clamped.x, count}, clamped == color ? path : std::string());
+std::vector<Part> colorParts(Emission& emission, const std::string& path, std::size_t count) {
+    const auto given = [&](const Scene& scene) { return std::get<glm::vec4>(paramAt(scene, path)->value); };
+    const auto clamped = [&](const Scene& scene) { return glm::clamp(given(scene), 0.0F, 1.0F); };
+    const bool isSame = emission.keys.decided(
+        emission.scene, {path}, [&](const Scene& scene) { return clamped(scene) == given(scene); });
+    const glm::vec4 color = clamped(emission.scene);
+    if (!isSame && emission.keys.moves(path))
+        emission.keys.refuse(path);
+    return numbers({&color.x, count}, isSame ? path : std::string());
 }
-
-struct PlaneRow {
-    TexGen Unit::*state;
-    Key key;
-    char letter;
-};
-constexpr std::array planeRows{PlaneRow{&Unit::texGenS, keyOf<&Unit::texGenS>, 's'},
-                               PlaneRow{&Unit::texGenT, keyOf<&Unit::texGenT>, 't'},
-                               PlaneRow{&Unit::texGenR, keyOf<&Unit::texGenR>, 'r'},
-                               PlaneRow{&Unit::texGenQ, keyOf<&Unit::texGenQ>, 'q'}};
 
 /// A row of the material that a shader may ask for.
 struct MaterialRow {
@@ -139,7 +135,7 @@ public:
         , unit_(glsl.emission.scene.passes[pass.index].units[unit])
         , index_(unit)
         , variable_(joined(pass.variable, fmt::format("unit{}Matrix", unit)))
-        , path_(fmt::format("{}.{}", elementOf<&Scene::passes>(pass.index), elementOf<&Pass::units>(unit))) {}
+        , path_(unitPath(pass.index, unit)) {}
 
     void write() {
         MatrixProduct product(emission_, variable_, true);
@@ -214,9 +210,13 @@ private:
     /// From eye coordinates to the light's picture, from 0 to 1: as the light is, so it stays.
     void addProjector(MatrixProduct& product, std::size_t index) {
         const std::string name = fmt::format("{}{}", variable_, index);
-        const LightView light = texplorer::lightView(emission_.scene.light);
-        constexpr glm::dmat4 toPicture{{0.5, 0, 0, 0}, {0, 0.5, 0, 0}, {0, 0, 0.5, 0}, {0.5, 0.5, 0.5, 1}};
-        const glm::dmat4 matrix = toPicture * light.projection * light.view;
+        const glm::dmat4 matrix =
+            emission_.keys.decided(emission_.scene, lightPaths(), [](const Scene& scene) {
+                constexpr glm::dmat4 toPicture{
+                    {0.5, 0, 0, 0}, {0, 0.5, 0, 0}, {0, 0, 0.5, 0}, {0.5, 0.5, 0.5, 1}};
+                const LightView light = texplorer::lightView(scene.light);
+                return toPicture * light.projection * light.view;
+            });
         writer_.comment("from eye coordinates to the light's picture");
         writer_.matrix(fmt::format("const Matrix {} = {{{{", name), doubles(matrix), "}};");
         product.add({plain(name)});
@@ -243,21 +243,37 @@ void writeUniform(GlslEmission& glsl, const GlslPass& pass, std::string_view suf
     glsl.emission.writer.add(callWith(fmt::format("glUniform{}", suffix), std::move(parts)));
 }
 
+/// A unit's bias where its sum with the texture's is limited, below equation 3.18 of OpenGL 2.1.
+std::optional<float> limitedBias(Emission& emission, std::size_t pass, std::size_t index) {
+    const std::string own = unitPath(pass, index, {keyOf<&Unit::lodBias>()});
+    const std::string texture = unitPath(pass, index, {keyOf<&Unit::texture>()});
+    std::vector<std::string> paths{own, texture};
+    for (const int shown : emission.keys.indicesOf(texture, emission.scene.passes[pass].units[index].texture))
+        paths.push_back(texturePaths(static_cast<std::size_t>(shown), {keyOf<&Texture::lodBias>()}).front());
+    const auto limited =
+        emission.keys.decided(emission.scene, paths, [&](const Scene& scene) -> std::optional<float> {
+            constexpr float limit = reference::SampleOptions{}.maxBias;
+            const Unit& unit = scene.passes[pass].units[index];
+            const float bias = scene.textures[static_cast<std::size_t>(unit.texture)].lodBias;
+            const float sum = bias + unit.lodBias;
+            return std::abs(sum) > limit ? std::optional(std::copysign(limit, sum) - bias) : std::nullopt;
+        });
+    if (limited && emission.keys.moves(own))
+        emission.keys.refuse(own);
+    return limited;
+}
+
 void writeUnitUniforms(GlslEmission& glsl, const GlslPass& pass, std::size_t index) {
     const Unit& unit = glsl.emission.scene.passes[pass.index].units[index];
-    const std::string path =
-        fmt::format("{}.{}", elementOf<&Scene::passes>(pass.index), elementOf<&Pass::units>(index));
-    const Texture& texture = glsl.emission.scene.textures[static_cast<std::size_t>(unit.texture)];
+    const std::string path = unitPath(pass.index, index);
     writeUniform(glsl, pass, "1i", fmt::format("texture{}", index), {plain(fmt::format("{}", index))});
     writeUniform(glsl, pass, "4f", fmt::format("environmentColor{}", index),
-                 colorParts(unit.envColor, 4, fmt::format("{}.{}", path, keyOf<&Unit::envColor>())));
-    constexpr float limit = reference::SampleOptions{}.maxBias; // of the sum of both: below equation 3.18
-    const float sum = texture.lodBias + unit.lodBias;
-    const bool isBeyond = std::abs(sum) > limit;
+                 colorParts(glsl.emission, fmt::format("{}.{}", path, keyOf<&Unit::envColor>()), 4));
+    const std::optional<float> limited = limitedBias(glsl.emission, pass.index, index);
     writeUniform(glsl, pass, "1f", fmt::format("lodBias{}", index),
-                 {number(isBeyond ? std::copysign(limit, sum) - texture.lodBias : unit.lodBias,
-                         isBeyond ? std::string() : fmt::format("{}.{}", path, keyOf<&Unit::lodBias>()))});
-    for (const auto& [state, key, letter] : planeRows) {
+                 {number(limited.value_or(unit.lodBias),
+                         limited ? std::string() : fmt::format("{}.{}", path, keyOf<&Unit::lodBias>()))});
+    for (const auto& [state, key, letter] : generatedCoordinates) {
         const TexGen& generated = unit.*state;
         const bool isObject = generated.mode == TexGenMode::ObjectLinear;
         const glm::vec4& plane = isObject ? generated.objectPlane : generated.eyePlane;
@@ -360,7 +376,7 @@ void writeGlslUniforms(GlslEmission& glsl, const GlslPass& pass) {
         return std::vector<Part>{number(value, fmt::format("{}.{}", fog, key))};
     };
     writeUniform(glsl, pass, "3f", "fogColor",
-                 colorParts(drawn.fog.color, 3, fmt::format("{}.{}", fog, keyOf<&Fog::color>())));
+                 colorParts(glsl.emission, fmt::format("{}.{}", fog, keyOf<&Fog::color>()), 3));
     writeUniform(glsl, pass, "1f", "fogDensity", fogNumber(drawn.fog.density, keyOf<&Fog::density>()));
     writeUniform(glsl, pass, "1f", "fogStart", fogNumber(drawn.fog.start, keyOf<&Fog::start>()));
     writeUniform(glsl, pass, "1f", "fogEnd", fogNumber(drawn.fog.end, keyOf<&Fog::end>()));
@@ -400,16 +416,7 @@ void writeGlslPassState(GlslEmission& glsl, const GlslPass& pass) {
         if (!pass.units[i])
             continue;
         const Unit& unit = drawn.units[i];
-        const auto found = std::ranges::find(
-            emission.objects, TextureObject{static_cast<std::size_t>(unit.texture), unit.target});
-        const auto object = static_cast<std::size_t>(found - emission.objects.begin());
-        const std::string texture =
-            fmt::format("{}.{}.{}", path, elementOf<&Pass::units>(i), keyOf<&Unit::texture>());
-        const bool moves = writer.moves(texture) && object == static_cast<std::size_t>(unit.texture);
-        std::vector<Part> bound =
-            callWith("glBindTexture",
-                     {plain(fmt::format("{}, textures[", rowOf(unit.target).name)),
-                      moves ? whole(unit.texture, texture) : plain(fmt::format("{}", object)), plain("]")});
+        std::vector<Part> bound = bindingCall(emission, unit, unitPath(pass.index, i));
         if (!writer.takes(bound))
             continue;
         writer.add(fmt::format("glActiveTexture({});", textureUnitName(i)));

@@ -15,11 +15,11 @@ namespace texplorer::emit {
 namespace {
 
 /// What a shader has to know of a unit; nothing where it is off, or its texture missing or incomplete.
-std::optional<glsl::SampledUnit> sampledUnit(const Emission& emission, const Unit& unit) {
+std::optional<glsl::SampledUnit> sampledUnit(const Emission& emission, const Scene& scene, const Unit& unit) {
     const TextureCode* code = unit.enabled ? emission.codeOf(unit) : nullptr;
     if (!code || code->levels.empty())
         return std::nullopt;
-    const Texture& texture = emission.scene.textures[static_cast<std::size_t>(unit.texture)];
+    const Texture& texture = scene.textures[static_cast<std::size_t>(unit.texture)];
     if (!appliedTexture(texture, code->shape, code->lastLevel, {}).completeness.complete())
         return std::nullopt;
     const bool hasDepths = isDepth(code->shape.internalFormat);
@@ -37,13 +37,38 @@ std::optional<glsl::SampledUnit> sampledUnit(const Emission& emission, const Uni
                              ends};
 }
 
-/// A shader adds no bias where that is 0; where it moves, it always does.
-Scene withMovingBias(const Emission& emission) {
+/// The same of a unit, which has to be so at all times.
+std::optional<glsl::SampledUnit> sampledUnit(const Emission& emission, std::size_t pass, std::size_t unit) {
+    const std::string path = unitPath(pass, unit, {keyOf<&Unit::texture>()});
+    std::vector<std::string> paths{path};
+    for (const int texture : emission.keys.indicesOf(path, emission.scene.passes[pass].units[unit].texture)) {
+        const auto index = static_cast<std::size_t>(texture);
+        for (std::vector<std::string> more :
+             {samplerPaths(index),
+              texturePaths(index, {keyOf<&Texture::baseLevel>(), keyOf<&Texture::maxLevel>()})})
+            paths.insert(paths.end(), more.begin(), more.end());
+    }
+    return emission.keys.decided(emission.scene, paths, [&](const Scene& scene) {
+        return sampledUnit(emission, scene, scene.passes[pass].units[unit]);
+    });
+}
+
+/// The scene with what shaders leave out: a bias of 0, and a material that is the colour alone. Where these
+/// move, the shaders have both.
+Scene withAllTerms(const Emission& emission) {
     Scene scene = emission.scene;
-    for (std::size_t p = 0; p < scene.passes.size() && !emission.keys.empty(); ++p) {
+    const auto showMaterial = [&](Material& material, const std::string& path) {
+        if (emission.keys.moves(fmt::format("{}.{}", path, keyOf<&Material::emission>())) ||
+            emission.keys.moves(fmt::format("{}.{}", path, keyOf<&Material::colorMaterial>())))
+            material.emission = glm::vec4(1);
+    };
+    showMaterial(scene.material, keyOf<&Scene::material>());
+    for (std::size_t m = 0; m < scene.models.size(); ++m)
+        showMaterial(scene.models[m].material,
+                     fmt::format("{}.{}", elementOf<&Scene::models>(m), keyOf<&Model::material>()));
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
         for (std::size_t u = 0; u < maxUnits; ++u) {
-            if (emission.keys.moves(fmt::format("{}.{}.{}", elementOf<&Scene::passes>(p),
-                                                elementOf<&Pass::units>(u), keyOf<&Unit::lodBias>())))
+            if (emission.keys.moves(unitPath(p, u, {keyOf<&Unit::lodBias>()})))
                 scene.passes[p].units[u].lodBias = 1;
         }
     }
@@ -52,14 +77,18 @@ Scene withMovingBias(const Emission& emission) {
 
 Result<std::vector<GlslPass>> passesOf(const Emission& emission) {
     std::vector<GlslPass> passes;
-    const Scene shaped = withMovingBias(emission);
+    const Scene shaped = emission.keys.empty() ? emission.scene : withAllTerms(emission);
+    if (emission.isLit) // a directional light has other shaders
+        static_cast<void>(
+            emission.keys.decided(emission.scene, {pathOf<&Scene::light, &Light::position>()},
+                                  [](const Scene& scene) { return scene.light.position.w == 0; }));
     for (std::size_t i = 0; i < emission.scene.passes.size(); ++i) {
         const Pass& drawn = emission.scene.passes[i];
         if (!drawsAnything(emission.scene, drawn))
             continue;
         GlslPass pass{i, joined(emission.passVariable(i), "program"), emission.passVariable(i), {}, {}, {}};
-        std::ranges::transform(drawn.units, pass.units.begin(),
-                               [&](const Unit& unit) { return sampledUnit(emission, unit); });
+        for (std::size_t u = 0; u < maxUnits; ++u)
+            pass.units[u] = sampledUnit(emission, i, u);
         Result<glsl::ShaderSource> source = glsl::shaderSource(shaped, i, pass.units);
         if (!source)
             return fail(source.error());
@@ -130,17 +159,21 @@ Result<void> sayable(const GlslEmission& glsl) {
         for (std::size_t i = 0; i < maxUnits; ++i) {
             if (!pass.units[i])
                 continue;
-            const Unit& unit = scene.passes[pass.index].units[i];
-            const auto texture = static_cast<std::size_t>(unit.texture);
-            if (const Result<void> said = sayableTexture(scene.textures[texture], *glsl.emission.codeOf(unit),
-                                                         unit.target, elementOf<&Scene::textures>(texture));
-                !said)
-                return said;
+            Unit unit = scene.passes[pass.index].units[i];
+            for (const int texture : glsl.emission.keys.indicesOf(
+                     unitPath(pass.index, i, {keyOf<&Unit::texture>()}), unit.texture)) {
+                unit.texture = texture;
+                const auto index = static_cast<std::size_t>(texture);
+                const TextureCode* code = glsl.emission.codeOf(unit);
+                if (const Result<void> said = code ? sayableTexture(scene.textures[index], *code, unit.target,
+                                                                    elementOf<&Scene::textures>(index))
+                                                   : Result<void>();
+                    !said)
+                    return said;
+            }
             if (unit.emboss.enabled && pass.units[i]->lateFlip == LateFlip::Coordinates)
-                return refuse(
-                    "the shaders can't move coordinates of an upside-down image",
-                    fmt::format("{}.{}", elementOf<&Scene::passes>(pass.index), elementOf<&Pass::units>(i)),
-                    keyOf<&Unit::emboss>());
+                return refuse("the shaders can't move coordinates of an upside-down image",
+                              unitPath(pass.index, i), keyOf<&Unit::emboss>());
         }
     }
     return {};
@@ -286,10 +319,8 @@ void leaveOut(GlslEmission& glsl) {
         const bool isShown = std::ranges::any_of(glsl.passes, [&](const GlslPass& pass) {
             for (std::size_t u = 0; u < maxUnits; ++u) {
                 const Unit& unit = emission.scene.passes[pass.index].units[u];
-                const bool isOne =
-                    emission.keys.moves(fmt::format("{}.{}.{}", elementOf<&Scene::passes>(pass.index),
-                                                    elementOf<&Pass::units>(u), keyOf<&Unit::texture>())) ||
-                    static_cast<std::size_t>(unit.texture) == emission.objects[i].texture;
+                const bool isOne = emission.keys.moves(unitPath(pass.index, u, {keyOf<&Unit::texture>()})) ||
+                                   static_cast<std::size_t>(unit.texture) == emission.objects[i].texture;
                 if (pass.units[u] && isOne && emission.objects[i].target == unit.target)
                     return true;
             }
@@ -304,7 +335,7 @@ void leaveOut(GlslEmission& glsl) {
 
 Result<std::vector<Line>> glslProgram(const Scene& scene, const ImageSource& images,
                                       const ProgramOptions& options, TextureCodes& codes, KeyFrames& keys) {
-    if (const Result<void> possible = checkShadowMaps(scene); !possible)
+    if (const Result<void> possible = checkShadowMaps(scene, keys); !possible)
         return fail(possible.error());
     bool moves = false;
     for (const bool isTrial : {true, false}) {

@@ -2,12 +2,17 @@
 
 #include "texplorer/emit/code_writer.h"
 #include "texplorer/gl/argument_names.h"
+#include "texplorer/scene/params/scene_at.h"
 #include "texplorer/scene/params/value_mix.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <iterator>
+#include <set>
+#include <span>
 
 namespace texplorer::emit {
 namespace {
@@ -50,6 +55,67 @@ bool isValueOf(const Part& part, const ParamRow& row, const Value& value) {
     return part.text == literal(shown, Literal::Float) || part.text == literal(shown, Literal::Double);
 }
 
+bool isOneOf(MemberId member, std::span<const MemberId> members) {
+    return std::ranges::find(members, member) != members.end();
+}
+
+/// Whether a program can change a parameter in each frame: by a call, a uniform or a term of a matrix. The
+/// others decide which calls, functions and numbers it has.
+bool canMove(Flavour flavour, const ParamRow& row) {
+    constexpr std::array ofTexels{memberId<&Texture::internalFormat>,   memberId<&Texture::border>,
+                                  memberId<&Texture::compressedFormat>, memberId<&Texture::stencilColor>,
+                                  memberId<&ImageStep::factor>,         memberId<&ImageStep::bias>,
+                                  memberId<&ImageStep::amount>};
+    constexpr std::array ofShape{memberId<&Unit::target>, memberId<&MeshData::primitive>};
+    constexpr std::array counts{memberId<&Model::slices>, memberId<&Model::stacks>};
+    constexpr std::array withoutShaders{memberId<&Material::colorMaterial>};
+    // What else moves is a part of the shaders.
+    constexpr std::array withShaders{memberId<&Material::colorMaterial>, memberId<&Pass::depthTest>,
+                                     memberId<&Pass::depthFunc>,         memberId<&Pass::blend>,
+                                     memberId<&Pass::blendSrc>,          memberId<&Pass::blendDst>,
+                                     memberId<&Pass::seamlessCubeMap>,   memberId<&Unit::texture>,
+                                     memberId<&Texture::magFilter>,      memberId<&Texture::minFilter>,
+                                     memberId<&Texture::wrapS>,          memberId<&Texture::wrapT>,
+                                     memberId<&Texture::wrapR>,          memberId<&Texture::baseLevel>,
+                                     memberId<&Texture::maxLevel>,       memberId<&Texture::compareFunc>};
+    if (isOneOf(row.member, ofTexels) || isOneOf(row.member, ofShape))
+        return false;
+    if (isNumber(row.kind) || isOneOf(row.member, counts))
+        return true;
+    if (row.kind != Kind::Bool && row.kind != Kind::Enum && row.kind != Kind::Int)
+        return false;
+    return flavour == Flavour::Glsl ? isOneOf(row.member, withShaders)
+                                    : !row.glCall.empty() && !isOneOf(row.member, withoutShaders);
+}
+
+/// The value in the standing scene: one between two keys of a number, true of a switch, or the first one.
+Value standingValue(const MovingParam& param) {
+    constexpr double share = 0.382;
+    if (param.row->kind == Kind::Bool)
+        return true;
+    const auto differs = std::ranges::adjacent_find(
+        param.keys, [](const auto& one, const auto& next) { return one.value != next.value; });
+    return mixed(*param.row, differs->value, std::next(differs)->value, share);
+}
+
+/// The values between which a decision of a program can change: of a number that counts all, as far as
+/// texture levels go, of others those of the keys.
+std::vector<std::string> valuesOf(const MovingParam& param) {
+    constexpr int maxLevels = 16;
+    std::set<std::string> values;
+    int least = maxLevels;
+    int most = 0;
+    const bool counts = param.row->kind == Kind::Int && param.components() > 0;
+    for (const MovingParam::Key& key : param.keys) {
+        values.insert(key.text);
+        least = counts ? std::min(least, std::get<int>(key.value)) : least;
+        most = counts ? std::max(most, std::get<int>(key.value)) : most;
+    }
+    for (int between = least + 1; between < std::min(most, maxLevels); ++between)
+        values.insert(fmt::format("{}", between));
+    return {values.begin(), values.end()};
+}
+
 } // namespace
 
 std::size_t MovingParam::components() const {
@@ -68,9 +134,9 @@ std::size_t MovingParam::components() const {
     }
 }
 
-KeyFrames::KeyFrames(const Scene& scene) {
+KeyFrames::KeyFrames(Flavour flavour, const Scene& scene)
+    : standing_(sceneAt(scene, 0)) {
     Scene standing = scene; // each key's value as the scene has it
-    standing.timeline.keys.clear();
     for (const Track& track : tracksOf(scene.timeline)) {
         MovingParam param{};
         for (const KeyFrame* key : track.keys) {
@@ -85,10 +151,26 @@ KeyFrames::KeyFrames(const Scene& scene) {
         const std::string path = canonical(track.path);
         param.variable = variableOf(path);
         params_.erase(path); // of two that are written differently the last one counts
-        if (std::ranges::any_of(
-                param.keys, [&](const MovingParam::Key& key) { return key.value != param.keys[0].value; }))
-            params_.emplace(path, std::move(param));
+        if (std::ranges::all_of(
+                param.keys, [&](const MovingParam::Key& key) { return key.value == param.keys[0].value; }))
+            continue;
+        if (!canMove(flavour, *param.row)) {
+            refuse(path);
+            continue;
+        }
+        param.standing = standingValue(param);
+        params_.emplace(path, std::move(param));
     }
+    for (const auto& [path, param] : params_) {
+        const std::string text = formatValue(*param.row, param.standing);
+        static_cast<void>(putBetween(standing_, path, text, text, 0));
+    }
+}
+
+void KeyFrames::standAt(Scene scene) {
+    standing_ = std::move(scene);
+    for (auto& [path, param] : params_)
+        param.standing = paramAt(standing_, path)->value;
 }
 
 bool KeyFrames::movesBelow(std::string_view prefix) const {
@@ -106,19 +188,13 @@ const std::string& KeyFrames::use(std::string_view path) {
     return param.variable;
 }
 
-bool KeyFrames::isSwitched(std::string_view path, bool on) const {
-    const Result<ParamAt> at = paramAt(*standing_, path);
-    const bool* value = at ? std::get_if<bool>(&at->value) : nullptr;
-    return value && *value == on;
-}
-
 void KeyFrames::replace(Part& part) {
-    const Result<ParamAt> at = paramAt(*standing_, part.path);
     if (part.kind == Part::Kind::Plain) { // the name of an array that holds all of it
         part.text = use(part.path);
         return;
     }
-    if (!at || !isValueOf(part, *at->row, at->value))
+    const MovingParam& param = params_.find(part.path)->second;
+    if (!isValueOf(part, *param.row, param.standing))
         return refuse(part.path);
     part.text = part.negated ? "-" : "";
     part.text += use(part.path);
@@ -136,6 +212,47 @@ const std::string& KeyFrames::refused() const {
 void KeyFrames::refuse(std::string_view path) {
     if (refused_.empty())
         refused_ = path;
+}
+
+std::vector<int> KeyFrames::indicesOf(std::string_view path, int now) const {
+    if (!moves(path))
+        return {now};
+    std::vector<int> indices;
+    for (const MovingParam::Key& key : params_.find(path)->second.keys)
+        indices.push_back(std::get<int>(key.value));
+    return indices;
+}
+
+void KeyFrames::refuseChanges(const Scene& scene, const std::vector<std::string>& paths,
+                              const std::function<bool(const Scene&)>& isSame) {
+    constexpr std::size_t maxCombinations = 1024; // a program that depends on more isn't written
+    struct Moving {
+        const std::string& path;
+        std::vector<std::string> values;
+    };
+    std::vector<Moving> moving;
+    for (const auto& [path, param] : params_) {
+        const auto isBelow = [&](const std::string& other) {
+            return path == other || path.starts_with(other + ".");
+        };
+        if (std::ranges::any_of(paths, isBelow))
+            moving.push_back({path, valuesOf(param)});
+    }
+    Scene other = moving.empty() ? Scene() : scene;
+    std::size_t count = 1; // of the combinations of the values of the first parameters
+    for (std::size_t n = 0; n < moving.size(); ++n) {
+        count *= moving[n].values.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            std::size_t before = 1; // this parameter's value changes after so many combinations
+            for (std::size_t k = 0; k <= n && i % before == 0; ++k) {
+                const std::string& value = moving[k].values[i / before % moving[k].values.size()];
+                static_cast<void>(putBetween(other, moving[k].path, value, value, 0));
+                before *= moving[k].values.size();
+            }
+            if (i >= maxCombinations || !isSame(other))
+                return refuse(moving[n].path);
+        }
+    }
 }
 
 float numberIn(const Value& value, std::size_t component) {

@@ -4,8 +4,11 @@
 // they say in the present frame.
 
 #include "texplorer/emit/code.h"
+#include "texplorer/emit/flavour.h"
 #include "texplorer/scene/params/params.h"
 
+#include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,7 +17,7 @@
 
 namespace texplorer::emit {
 
-/// A parameter whose keys say different things.
+/// A parameter with keys of different values.
 struct MovingParam {
     struct Key {
         float seconds;
@@ -26,6 +29,7 @@ struct MovingParam {
     const ParamRow* row;
     std::vector<Key> keys; ///< in the order of their times
     std::string variable;  ///< "lightPosition"
+    Value standing;        ///< in the scene that the program is written of
     bool isUsed = false;   ///< some line of the program has the variable
     bool isLeft = false;   ///< a line of what is set once was left to the frames
 
@@ -34,11 +38,13 @@ struct MovingParam {
     [[nodiscard]] std::size_t components() const;
 };
 
-/// Of a scene, with what a program has found out of them while it was written.
+/// The key frames of a scene. A program is written once, of the standing scene, in which each parameter that
+/// moves has one of its values. The writer puts a variable where the value of such a parameter stands; where
+/// the program itself depends on the value, the parameter is refused.
 class KeyFrames {
 public:
     KeyFrames() = default; ///< nothing has any
-    explicit KeyFrames(const Scene& scene);
+    KeyFrames(Flavour flavour, const Scene& scene);
 
     [[nodiscard]] bool empty() const { return params_.empty(); }
     [[nodiscard]] bool moves(std::string_view path) const { return params_.contains(path); }
@@ -47,20 +53,41 @@ public:
     /// Any parameter that a program has asked for.
     [[nodiscard]] bool isUsed() const;
 
+    /// The scene without its keys. Numbers have a value between two keys, where hardly anything is 0 or 1 by
+    /// chance; what can be switched on is on.
+    [[nodiscard]] const Scene& standing() const { return standing_; }
+    /// Another one, in which moving parameters have other values.
+    void standAt(Scene scene);
+
     /// The variable of a parameter that moves.
     [[nodiscard]] const std::string& use(std::string_view path);
     /// A line with its value is left to the frames.
     void leave(std::string_view path) { params_.find(path)->second.isLeft = true; }
-    /// The scene at the time for which the program is written, which stays there until it is another one.
-    void standAt(const Scene& standing) { standing_ = &standing; }
-    /// Whether a parameter that is on or off is so then.
-    [[nodiscard]] bool isSwitched(std::string_view path, bool on) const;
-    /// What stands for a value in a line of a frame. A part that isn't the very value of its parameter can't
-    /// be moved, and is remembered.
+    /// Puts the variable in the place of a value, in a line of a frame. Refuses the parameter if the part
+    /// isn't the value itself, but was computed of it.
     void replace(Part& part);
-    /// Where a line that isn't of a frame has the value of a parameter that moves.
     void refuse(std::string_view path);
-    /// The first parameter that the program couldn't move, or that was left to frames which don't set it;
+
+    /// What `decide` returns for the scene. It has to return the same for all values of the parameters with
+    /// these paths, or below them; the first one that changes it is refused.
+    template<class Decide>
+    auto decided(const Scene& scene, const std::vector<std::string>& paths, const Decide& decide) {
+        auto decision = decide(scene);
+        refuseChanges(scene, paths, [&](const Scene& other) { return decide(other) == decision; });
+        return decision;
+    }
+    /// Whether `test` is true for any value that an enumerant takes, which is `now` if it doesn't move.
+    template<class Enum, class Test>
+    [[nodiscard]] bool mayBe(std::string_view path, Enum now, const Test& test) const {
+        const auto is = [&](const MovingParam::Key& key) {
+            return test(static_cast<Enum>(std::get<EnumValue>(key.value).number));
+        };
+        return moves(path) ? std::ranges::any_of(params_.find(path)->second.keys, is) : test(now);
+    }
+    /// All values that an index takes, which is `now` if it doesn't move.
+    [[nodiscard]] std::vector<int> indicesOf(std::string_view path, int now) const;
+
+    /// The first parameter that the program can't move, or that was left to frames which don't set it;
     /// empty: it moves all that it mentions.
     [[nodiscard]] const std::string& refused() const;
 
@@ -68,8 +95,11 @@ public:
     [[nodiscard]] const Params& params() const { return params_; }
 
 private:
+    void refuseChanges(const Scene& scene, const std::vector<std::string>& paths,
+                       const std::function<bool(const Scene&)>& isSame);
+
     Params params_;
-    const Scene* standing_ = nullptr;
+    Scene standing_;
     std::string refused_;
 };
 

@@ -14,7 +14,6 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,7 +39,6 @@ struct ProgramOptions {
     /// Files that lie in no folder, as those of the program's lessons, are read as well: somebody writes them
     /// beside the program.
     bool readsFilesInMemory = false;
-    std::stop_token stop{}; ///< ends the work of key frames, with Cancelled
 };
 
 /// What a program has to be given of a texture object.
@@ -95,9 +93,6 @@ private:
 
 /// The files of a scene's textures that its program reads, as the scene spells them.
 [[nodiscard]] std::set<std::string> filesRead(const std::vector<Line>& program, const Scene& scene);
-
-/// A program with key frames is written once for each value that one of them jumps to: so many at most.
-inline constexpr std::size_t maxSwitchedValues = 128;
 
 /// A CMakeLists.txt for the program, with the libraries that it needs. options.source: its file, whose name
 /// has letters, digits, _ and - before ".c".

@@ -1,6 +1,5 @@
 #include "texplorer/emit/program_worker.h"
 
-#include "texplorer/scene/params/params.h"
 #include "texplorer/texture/levels_worker.h"
 
 #include <algorithm>
@@ -13,24 +12,13 @@ constexpr FailureWords texelsFailure{N_("not enough memory for its texels"), N_(
 constexpr FailureWords programFailure{N_("not enough memory for the program"),
                                       N_("the program can't be written")};
 
-/// Whether the program of a scene is written in a few milliseconds: once, and without large meshes.
+/// Whether the program of a scene is written in a few milliseconds: without key frames and large meshes.
 bool isQuickToWrite(const Scene& scene) {
     constexpr std::size_t maxVertices = 4096;
     std::size_t vertices = 0;
     for (const Model& model : scene.models)
         vertices += model.mesh.positions.size();
     return scene.timeline.keys.empty() && vertices <= maxVertices;
-}
-
-/// A program shows what a unit shows that key frames switch on at times.
-Scene withSwitchedUnits(const Scene& scene) {
-    Scene shown = scene;
-    for (const KeyFrame& key : scene.timeline.keys) {
-        const auto at = paramAt(scene, key.path);
-        if (at && at->row->member == memberId<&Unit::enabled>)
-            static_cast<void>(putBetween(shown, key.path, "true", "true", 0));
-    }
-    return shown;
 }
 
 } // namespace
@@ -100,14 +88,9 @@ std::optional<ProgramWorker::State::Made> ProgramWorker::State::work(const Makin
 }
 
 std::optional<ProgramWorker::State::Written> ProgramWorker::State::write(const Writing::Task& task) {
-    const auto& [wanted, given, known] = task.job();
-    ProgramOptions options = given;
-    options.stop = task.superseded();
+    const auto& [wanted, options, known] = task.job();
     TextureCodes codes = known;
-    Program made = emit::program(wanted.flavour, wanted.scene, wanted.images, options, codes);
-    if (!made && made.error().code == ErrorCode::Cancelled)
-        return std::nullopt;
-    return Written{wanted, std::move(made)};
+    return Written{wanted, emit::program(wanted.flavour, wanted.scene, wanted.images, options, codes)};
 }
 
 void ProgramWorker::State::receive() {
@@ -164,8 +147,7 @@ std::optional<ProgramWorker::Program> ProgramWorker::program(Flavour flavour, co
     State& state = *state_;
     state.receive();
     std::vector<TexelRequest> missing;
-    for (std::optional<TexelRequest>& request :
-         texelRequests(flavour, withSwitchedUnits(scene), images, options)) {
+    for (std::optional<TexelRequest>& request : texelRequests(flavour, scene, images, options)) {
         if (!request || isQuick(request->levels))
             continue;
         if (state.codes.has(*request))

@@ -25,6 +25,8 @@ struct SampledUnit {
     bool compares = false;    ///< compares r with its depths
     /// Which of s, t and r are clamped by GL_CLAMP, which core OpenGL lacks. For colours only.
     std::array<bool, 3> ends{};
+
+    bool operator==(const SampledUnit&) const = default;
 };
 
 /// Empty for a unit that does nothing: it is off, or its texture is missing or incomplete (section 3.8.10).

@@ -1,10 +1,13 @@
+#include "tests/random/random_scene.h"
+#include "texplorer/emit/emission.h"
 #include "texplorer/emit/key_frames.h"
 #include "texplorer/emit/program.h"
 
 #include <gmock/gmock.h>
 
+#include <random>
+#include <span>
 #include <sstream>
-#include <stop_token>
 
 namespace texplorer::key_frames_test {
 namespace {
@@ -238,29 +241,100 @@ TEST(EmittedKeyFrames, AreRefusedWhereOpenGlIsGivenAnotherNumber) {
     EXPECT_EQ(lines.error().where, "textures[0].maxLevel");
 }
 
-TEST(EmittedKeyFrames, OfMoreValuesThanAProgramIsWrittenForAreRefused) {
-    Scene scene = defaultScene();
-    for (int i = 0; i < 300; ++i) {
-        std::string indices = "0"; // and those of the bits that are set
-        for (int bit = 0; bit < 9; ++bit)
-            indices += (i >> bit & 1) != 0 ? "," + std::to_string(bit + 1) : "";
-        scene.timeline.keys.push_back({static_cast<float>(i), "passes[0].models", indices});
-    }
-    scene.models.resize(10);
-    const auto lines = programOf(scene);
-    ASSERT_FALSE(lines);
-    EXPECT_EQ(lines.error().where, "passes[0].models");
-    EXPECT_THAT(lines.error().message, HasSubstr("at most 128 values of its key frames"));
+// What each of these values needs is written once, whichever of them there is at a time.
+TEST(EmittedKeyFrames, BringWhatAnyOfTheirValuesNeeds) {
+    Scene scene = sceneWith({{0, "passes[0].units[0].envMode", "GL_MODULATE"},
+                             {1, "passes[0].units[0].envMode", "GL_COMBINE"},
+                             {0, "passes[0].units[0].texGenS.mode", "GL_EYE_LINEAR"},
+                             {1, "passes[0].units[0].texGenS.mode", "GL_SPHERE_MAP"},
+                             {2, "passes[0].units[0].texGenS.mode", "GL_OBJECT_LINEAR"}});
+    Unit& unit = scene.passes[0].units[0];
+    scene.passes[0].lighting = false;
+    unit.combine.rgb = CombineRgb::Subtract;
+    unit.texGenS = {true, TexGenMode::EyeLinear, {0, 3, 0, 0}, {0, 4, 0, 0}};
+    const std::string text = textOf(scene);
+    EXPECT_THAT(bodyOf(text, init),
+                Contains(HasSubstr("glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_SUBTRACT);")));
+    EXPECT_THAT(bodyOf(text, init), Contains(HasSubstr("glTexGenfv(GL_S, GL_OBJECT_PLANE,")));
+    EXPECT_THAT(bodyOf(text, init), Contains(HasSubstr("glTexGenfv(GL_S, GL_EYE_PLANE,")));
+    EXPECT_THAT(bodyOf(text, draw), Contains("glTexGeni(GL_S, GL_TEXTURE_GEN_MODE, pass0Unit0TexGenSMode);"));
+    EXPECT_THAT(text, HasSubstr("glNormal3f")); // for the sphere map
 }
 
-TEST(EmittedKeyFrames, AreGivenUpWhenAsked) {
-    const Scene scene = sceneWith({{0, "view.fieldOfView", "40"}, {2, "view.fieldOfView", "70"}});
-    std::stop_source stop;
-    stop.request_stop();
-    emit::TextureCodes codes;
-    const auto lines = emit::program(Flavour::Fixed, scene, {}, {.stop = stop.get_token()}, codes);
-    ASSERT_FALSE(lines);
-    EXPECT_EQ(lines.error().code, ErrorCode::Cancelled);
+/// The scene with two or three keys for each parameter, with values of other scenes, but for those that a
+/// program refuses.
+Scene movingEverything(const Scene& scene, std::span<const Scene> others, Flavour flavour,
+                       emit::TextureCodes& codes) {
+    Scene moving = scene;
+    Scene one = scene;
+    forEachParam(scene, [&](const std::string& path, const ParamRow&, const Value&) {
+        one.timeline.keys.clear();
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Result<std::string> value = getParam(others[i], path);
+            if (value && checkMovable(scene, path, *value))
+                one.timeline.keys.push_back({static_cast<float>(i), path, *value});
+        }
+        if (emit::KeyFrames(flavour, one).refused().empty())
+            moving.timeline.keys.insert(moving.timeline.keys.end(), one.timeline.keys.begin(),
+                                        one.timeline.keys.end());
+    });
+    for (;;) {
+        const auto program = emit::program(flavour, moving, {}, {}, codes);
+        const auto isRefused = [&](const KeyFrame& key) { return key.path == program.error().where; };
+        if (program || std::erase_if(moving.timeline.keys, isRefused) == 0)
+            return moving;
+    }
+}
+
+/// Each parameter somewhere between two of its keys, or at one.
+Scene standingAtRandom(const emit::KeyFrames& keys, std::mt19937& random) {
+    Scene scene = keys.standing();
+    for (const auto& [path, param] : keys.params()) {
+        if (param.row->kind == Kind::Bool) // which is on, where it can be
+            continue;
+        const auto& from = param.keys[random() % param.keys.size()];
+        const auto& to = param.keys[random() % param.keys.size()];
+        static_cast<void>(putBetween(scene, path, from.text, to.text, static_cast<double>(random() % 4) / 3));
+    }
+    return scene;
+}
+
+// A program is written of one standing scene, and right at all times if it is the same of every other.
+TEST(EmittedKeyFrames, AreVariablesWhereverTheyStand) {
+    std::vector<Scene> scenes;
+    for (int number = 0; scenes.size() < 5; ++number) {
+        const random::RandomScene made = random::randomScene(5, number, {});
+        if (made.temper != random::Temper::Ordinary)
+            continue;
+        scenes.push_back(made.scene);
+        scenes.back().timeline.keys.clear();
+    }
+    std::mt19937 random(1);
+    std::size_t moved = 0;
+    for (const Flavour flavour : {Flavour::Fixed, Flavour::Glsl}) {
+        for (std::size_t i = 0; i + 3 < scenes.size(); ++i) {
+            emit::TextureCodes codes;
+            const Scene moving =
+                movingEverything(scenes[i], std::span(scenes).subspan(i + 1, 3), flavour, codes);
+            const auto program = emit::program(flavour, moving, {}, {}, codes);
+            if (!program)
+                continue; // a shadow map of a kind that programs don't have
+            for (int stance = 0; stance < 6; ++stance) {
+                emit::KeyFrames keys(flavour, moving);
+                keys.standAt(standingAtRandom(keys, random));
+                moved += keys.params().size();
+                const auto other = flavour == Flavour::Glsl
+                                       ? emit::glslProgram(keys.standing(), {}, {}, codes, keys)
+                                       : emit::fixedProgram(keys.standing(), {}, {}, codes, keys);
+                ASSERT_TRUE(other) << describe(other.error());
+                EXPECT_EQ(keys.refused(), "");
+                const auto [line, otherLine] = std::ranges::mismatch(*program, *other, emit::readsAs);
+                EXPECT_TRUE(line == program->end() && otherLine == other->end())
+                    << "scene " << i << ": " << (line == program->end() ? "" : emit::textOf(*line));
+            }
+        }
+    }
+    EXPECT_GT(moved, 2000U);
 }
 
 TEST(EmittedKeyFrames, HaveVariablesNamedByTheirPath) {
