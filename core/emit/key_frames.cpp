@@ -98,21 +98,23 @@ Value standingValue(const MovingParam& param) {
     return mixed(*param.row, differs->value, std::next(differs)->value, share);
 }
 
-/// The values between which a decision of a program can change: of a number that counts all, as far as
-/// texture levels go, of others those of the keys.
+/// The values between which a decision of a program can change: the least and the greatest of each number,
+/// all counts as far as texture levels go, all names.
 std::vector<std::string> valuesOf(const MovingParam& param) {
     constexpr int maxLevels = 16;
     std::set<std::string> values;
-    int least = maxLevels;
-    int most = 0;
-    const bool counts = param.row->kind == Kind::Int && param.components() > 0;
-    for (const MovingParam::Key& key : param.keys) {
-        values.insert(key.text);
-        least = counts ? std::min(least, std::get<int>(key.value)) : least;
-        most = counts ? std::max(most, std::get<int>(key.value)) : most;
+    for (std::size_t i = 0; i < param.components(); ++i) {
+        const auto number = [&](const MovingParam::Key& key) { return numberIn(key.value, i); };
+        const auto [least, most] = std::ranges::minmax_element(param.keys, {}, number);
+        values.insert({least->text, most->text});
+        if (param.row->kind != Kind::Int)
+            continue;
+        const int last = std::min(std::get<int>(most->value), maxLevels);
+        for (int between = std::get<int>(least->value) + 1; between < last; ++between)
+            values.insert(fmt::format("{}", between));
     }
-    for (int between = least + 1; between < std::min(most, maxLevels); ++between)
-        values.insert(fmt::format("{}", between));
+    for (auto key = param.keys.begin(); param.components() == 0 && key != param.keys.end(); ++key)
+        values.insert(key->text);
     return {values.begin(), values.end()};
 }
 

@@ -12,13 +12,13 @@ constexpr FailureWords texelsFailure{N_("not enough memory for its texels"), N_(
 constexpr FailureWords programFailure{N_("not enough memory for the program"),
                                       N_("the program can't be written")};
 
-/// Whether the program of a scene is written in a few milliseconds: without key frames and large meshes.
+/// Whether the program of a scene is written in a few milliseconds: without large meshes.
 bool isQuickToWrite(const Scene& scene) {
     constexpr std::size_t maxVertices = 4096;
     std::size_t vertices = 0;
     for (const Model& model : scene.models)
         vertices += model.mesh.positions.size();
-    return scene.timeline.keys.empty() && vertices <= maxVertices;
+    return vertices <= maxVertices;
 }
 
 } // namespace
