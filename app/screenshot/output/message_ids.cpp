@@ -1,5 +1,7 @@
 #include "app/screenshot/output/message_ids.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <string>
@@ -7,17 +9,6 @@
 
 namespace texplorer::screenshot {
 namespace {
-
-/// A line's text without its quotes: \" \\ \n and \t as in gettext's files.
-std::string unquoted(std::string_view text) {
-    std::string plain;
-    for (std::size_t i = 1; i + 1 < text.size(); ++i) {
-        const bool isEscape = text[i] == '\\';
-        i += isEscape ? 1 : 0;
-        plain += isEscape && text[i] == 'n' ? '\n' : isEscape && text[i] == 't' ? '\t' : text[i];
-    }
-    return plain;
-}
 
 std::unordered_map<std::string, int> readIds() {
     std::unordered_map<std::string, int> ids;
@@ -27,7 +18,8 @@ std::unordered_map<std::string, int> readIds() {
         rest.remove_prefix(std::min(line.size() + 1, rest.size()));
         int id = 0;
         const char* end = std::from_chars(line.data(), line.data() + line.size(), id).ptr;
-        ids.emplace(unquoted(line.substr(static_cast<std::size_t>(end - line.data()) + 1)), id);
+        // What gettext escapes in a text, JSON does as well.
+        ids.emplace(nlohmann::json::parse(end, line.data() + line.size()).get<std::string>(), id);
     }
     return ids;
 }
