@@ -22,7 +22,7 @@ struct Members : JsonObject {
     void text(const char* key, std::string& target, bool isNeeded) {
         JsonObject::text(key, target, maxLessonBytes);
         if (isNeeded && target.empty())
-            refuse(key, N_("a text that isn't empty"));
+            expect(key, N_("a text that isn't empty"));
     }
 };
 
@@ -77,7 +77,7 @@ void readPredict(const Json& json, const std::string& where, std::optional<Error
     });
     const Json* right = members.find("right");
     if (!right || !right->is_number_integer() || *right < 0 || *right >= predict.answers.size())
-        members.refuse("right", Sentence("the number of the right answer, from 0 to {0}",
+        members.expect("right", Sentence("the number of the right answer, from 0 to {0}",
                                          std::max<std::size_t>(predict.answers.size(), 1) - 1));
     else
         predict.right = right->get<std::size_t>();
@@ -98,7 +98,7 @@ void readTask(Members& members, Step& step) {
         if (json->is_string() && !json->get_ref<const std::string&>().empty())
             task.task = json->get<std::string>();
         else
-            members.refuse("try", N_("a text that isn't empty"));
+            members.expect("try", N_("a text that isn't empty"));
     }
     if (const Json* json = members.find("predict")) {
         ++tasks;
@@ -143,7 +143,7 @@ void readAddition(Members& members, Addition& addition) {
     members.text("component", component, false);
     const std::size_t at = components.find(component);
     if (component.size() != 1 || at == std::string_view::npos)
-        members.refuse("component", N_("one of x, y, z, w"));
+        members.expect("component", N_("one of x, y, z, w"));
     else
         addition.component = static_cast<int>(at);
     const Json* add = members.find("add");
@@ -151,7 +151,7 @@ void readAddition(Members& members, Addition& addition) {
     constexpr double max = std::numeric_limits<float>::max();
     addition.amount = std::abs(amount) <= max ? static_cast<float>(amount) : 0;
     if (addition.amount == 0)
-        members.refuse("add", N_("a number other than 0 between -3.4e38 and 3.4e38"));
+        members.expect("add", N_("a number other than 0 between -3.4e38 and 3.4e38"));
 }
 
 void readKey(const Json& json, const std::string& where, std::optional<Error>& problem,
@@ -160,7 +160,7 @@ void readKey(const Json& json, const std::string& where, std::optional<Error>& p
     LessonKey key;
     members.text("key", key.key, true);
     if (!isKeyName(key.key))
-        members.refuse("key", Sentence("A to Z, 0 to 9 or one of {0}", ProperName{keyNameList()}));
+        members.expect("key", Sentence("A to Z, 0 to 9 or one of {0}", ProperName{keyNameList()}));
     if (std::ranges::find(keys, key.key, &LessonKey::key) != keys.end())
         members.say(ErrorCode::Malformed, "key",
                     Sentence("expected each key once, found {0} again", ProperName{key.key}));

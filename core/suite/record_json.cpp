@@ -99,7 +99,7 @@ void readNumbers(JsonObject& object, const char* key, std::span<int> target, int
         return each.is_number_unsigned() && each >= min && each <= max;
     };
     if (!json->is_array() || json->size() != target.size() || !std::ranges::all_of(*json, isRight))
-        return object.refuse(key, fmt::format("{} whole numbers from {} to {}", target.size(), min, max));
+        return object.expect(key, fmt::format("{} whole numbers from {} to {}", target.size(), min, max));
     for (std::size_t i = 0; i < target.size(); ++i)
         target[i] = (*json)[i].get<int>();
 }
@@ -126,7 +126,7 @@ void readState(JsonObject& object, State& state) {
     const std::string name = json->is_string() ? json->get<std::string>() : std::string();
     const auto found = std::ranges::find(stateRows, std::string_view(name), &StateRow::name);
     if (found == stateRows.end())
-        return object.refuse("state", "the state of a case");
+        return object.expect("state", "the state of a case");
     state = found->state;
 }
 
@@ -134,7 +134,7 @@ void readState(JsonObject& object, State& state) {
 void readPicture(JsonObject& object, const char* key, std::string& name) {
     object.text(key, name, maxRecordText);
     if (!name.empty() && !report::staysInside(name))
-        object.refuse(key, "a file's name within the folder");
+        object.expect(key, "a file's name within the folder");
 }
 
 void readCase(const Json& json, const std::string& where, Problem& problem, CaseRecord& record) {

@@ -108,7 +108,7 @@ Result<Durations> parseDurations(std::string_view text) {
         readVersion(object, "version", durationsFormatVersion);
         const Json* seconds = object.need("seconds");
         if (seconds && !seconds->is_object())
-            object.refuse("seconds", "an object");
+            object.expect("seconds", "an object");
         else if (seconds)
             readSeconds(*seconds, problem, durations);
     }

@@ -55,7 +55,7 @@ void JsonObject::text(const char* key, std::string& target, std::size_t maxBytes
     if (!value)
         return;
     if (!value->is_string())
-        return refuse(key, N_("a text"));
+        return expect(key, N_("a text"));
     target = value->get<std::string>();
     if (target.size() > maxBytes)
         say(ErrorCode::TooLarge, key,
@@ -67,7 +67,7 @@ void JsonObject::flag(const char* key, bool& target) {
     if (value && value->is_boolean())
         target = value->get<bool>();
     else if (value)
-        refuse(key, N_("true or false"));
+        expect(key, N_("true or false"));
 }
 
 void JsonObject::number(const char* key, double& target, double min, double max) {
@@ -78,7 +78,7 @@ void JsonObject::number(const char* key, double& target, double min, double max)
     if (found >= min && found <= max)
         target = found;
     else
-        refuse(key, Sentence("a number from {0} to {1}", min, max));
+        expect(key, Sentence("a number from {0} to {1}", min, max));
 }
 
 void JsonObject::whole(const char* key, std::size_t& target, std::size_t min, std::size_t max) {
@@ -88,7 +88,7 @@ void JsonObject::whole(const char* key, std::size_t& target, std::size_t min, st
     if (value->is_number_unsigned() && *value >= min && *value <= max)
         target = value->get<std::size_t>();
     else
-        refuse(key, Sentence("a whole number from {0} to {1}", min, max));
+        expect(key, Sentence("a whole number from {0} to {1}", min, max));
 }
 
 void JsonObject::whole(const char* key, int& target, int min, int max) {
@@ -98,10 +98,10 @@ void JsonObject::whole(const char* key, int& target, int min, int max) {
     if (value->is_number_integer() && *value >= min && *value <= max)
         target = value->get<int>();
     else
-        refuse(key, Sentence("a whole number from {0} to {1}", min, max));
+        expect(key, Sentence("a whole number from {0} to {1}", min, max));
 }
 
-void JsonObject::refuse(const std::string& key, const Sentence& expected) {
+void JsonObject::expect(const std::string& key, const Sentence& expected) {
     const auto found = json_.is_object() ? json_.find(key) : json_.end();
     say(ErrorCode::Malformed, key,
         found == json_.end() ? Sentence("expected {0}", expected)

@@ -49,12 +49,12 @@ public:
     void list(const char* key, std::size_t min, std::size_t max, const Take& take) {
         const nlohmann::json* value = min > 0 ? need(key) : find(key);
         if (value && !value->is_array())
-            refuse(key, N_("a list"));
+            expect(key, N_("a list"));
         else if (value)
             eachOf(key, *value, min, max, take);
     }
 
-    void refuse(const std::string& key, const Sentence& expected);
+    void expect(const std::string& key, const Sentence& expected);
     void say(ErrorCode code, const std::string& key, Sentence message);
     [[nodiscard]] std::string placeOf(std::string_view key) const;
     [[nodiscard]] std::optional<Error>& problem() { return problem_; }
