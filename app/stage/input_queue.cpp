@@ -248,7 +248,7 @@ void InputQueue::apply(const Input& input) {
                               setModifiers(event.modifiers);
                               ui::setKey(event.code, event.kind != KeyChanged::Kind::Release);
                           },
-                          [&](const TextEntered& event) { io.AddInputCharacter(event.character); },
+                          [&](const TextEntered& event) { ui::addCharacter(event.character); },
                           [&](const FocusChanged& event) { io.AddFocusEvent(event.focused); }},
                input);
 }

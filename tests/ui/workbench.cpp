@@ -368,7 +368,7 @@ void Workbench::key(int code, std::initializer_list<int> modifiers) {
 
 void Workbench::type(std::string_view text) {
     for (const char letter : text)
-        ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
+        addCharacter(static_cast<unsigned char>(letter));
     frames(2);
 }
 

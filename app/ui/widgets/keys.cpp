@@ -1,9 +1,7 @@
 #include "app/ui/widgets/keys.h"
 
 #include <imgui.h>
-#if IMGUI_VERSION_NUM >= 18700
-#include <imgui_internal.h> // the owner of Tab
-#endif
+#include <imgui_internal.h> // the owner of Tab, and whether a number is typed
 
 #include <algorithm>
 #include <array>
@@ -118,6 +116,12 @@ void letTabMove(bool moves) {
 }
 
 #endif
+
+void addCharacter(char32_t character) {
+    const ImGuiID field = ImGui::GetActiveID();
+    const bool isPoint = character == ',' && field != 0 && ImGui::TempInputIsActive(field);
+    ImGui::GetIO().AddInputCharacter(isPoint ? '.' : character);
+}
 
 bool isKeyDown(int code) {
     return ImGui::IsKeyDown(nameOf(code));

@@ -97,6 +97,22 @@ TEST_F(CommandsTab, ANumberStaysInItsRangeAndIsTypedAfterADoubleClick) {
     EXPECT_EQ(scene().material.shininess, 7.25F);
 }
 
+TEST_F(CommandsTab, ADecimalCommaIsTypedAsAPoint) {
+    for (const Language language : {Language::English, Language::Russian, Language::Chinese}) {
+        speak(language);
+        frames(2);
+        doubleClickAt(find("command:material.shininess"));
+        key('A', {ctrl});
+        type("2,5");
+        key(ui::key::enter);
+        EXPECT_EQ(scene().material.shininess, 2.5F);
+        doubleClickAt(find("command:material.shininess"));
+        key('A', {ctrl});
+        type("30");
+        key(ui::key::enter);
+    }
+}
+
 // What was moved elsewhere is brought into sight, and nothing else glows.
 TEST_F(CommandsTab, TheCoordinatesThatMovedGlow) {
     Scene square = defaultScene();
