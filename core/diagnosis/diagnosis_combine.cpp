@@ -47,7 +47,7 @@ void unreadArguments(const Case& about, Report& report) {
             if (each.read)
                 continue;
             const int count = each.ofAlpha ? argumentCount(combine.alpha) : argumentCount(combine.rgb);
-            const ProperName function = each.ofAlpha ? named(combine.alpha) : named(combine.rgb);
+            const Sentence function = each.ofAlpha ? named(combine.alpha) : named(combine.rgb);
             const Sentence reason = each.ofAlpha && dot
                                         ? overruled
                                         : Sentence("{0} reads {1} only", function,

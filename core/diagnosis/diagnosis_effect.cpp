@@ -220,7 +220,7 @@ void levelsUnread(const Case& about, Report& report) {
         const std::string path = elementOf<&Scene::textures>(i) + ".";
         const std::string given = nameOf(MipPolicy::Given);
         report.add(path + keyOf<&Texture::levels>(),
-                   Sentence("these levels are not read with mipmaps={0}", named(texture.mipmaps)),
+                   Sentence("these levels are not read with the mipmaps \"{0}\"", named(texture.mipmaps)),
                    Fix{N_("Read them"), {{path + keyOf<&Texture::mipmaps>(), given}}});
     }
 }
@@ -246,7 +246,7 @@ Sentence lostAlpha(const Texture& texture, const TextureFacts& facts, std::size_
     if (std::any_of(later, texture.preparation.end(), makesAlpha))
         return N_("a later step replaces alpha");
     if (texture.transparency != Transparency::File && texture.transparency != Transparency::Alpha)
-        return Sentence("transparency={0} replaces alpha", named(texture.transparency));
+        return Sentence("the transparency \"{0}\" replaces alpha", named(texture.transparency));
     const auto isWithout = [](const TargetFacts& each) {
         return !each.plan.blocks && (each.format == BaseFormat::Rgb || each.format == BaseFormat::Luminance);
     };
@@ -275,9 +275,9 @@ void unused(const Case& about, Report& report) {
     for (std::size_t i = 0; i < about.textures.size(); ++i) {
         const Texture& texture = about.scene.textures[i];
         const std::string path = elementOf<&Scene::textures>(i) + ".";
-        const auto unless = [&](bool used, const std::string& key, ProperName chosen) {
+        const auto unless = [&](bool used, const std::string& key, const Sentence& chosen) {
             if (!used)
-                report.add(path + key, Sentence("it is not used with {0}", chosen));
+                report.add(path + key, Sentence("it is not used with \"{0}\"", chosen));
         };
         unless(texture.source == SourceKind::Pattern, keyOf<&Texture::pattern>(), named(texture.source));
         unless(texture.source == SourceKind::File, keyOf<&Texture::file>(), named(texture.source));

@@ -48,7 +48,7 @@ void otherShape(const Case& about, Report& report) {
         const Shape shape = about.scene.models[m].shape;
         for (const ShapeRow& row : rows) {
             if (std::ranges::find(row.shapes, shape) == row.shapes.end())
-                report.add(modelPath(m, row.key()), Sentence("a {0} has none", named(shape)));
+                report.add(modelPath(m, row.key()), Sentence("the shape \"{0}\" has none", named(shape)));
         }
     }
 }
@@ -97,10 +97,10 @@ void tooManyStacks(const Case& about, Report& report) {
         if (model.shape != Shape::Teapot || model.stacks <= maxTeapotStacks)
             continue;
         const std::string path = modelPath(m, keyOf<&Model::stacks>());
-        report.add(path,
-                   Sentence("a {0} has at most {1} along each patch and is drawn with these",
-                            named(model.shape), maxTeapotStacks),
-                   Fix{Sentence("Make it {0}", maxTeapotStacks), {{path, std::to_string(maxTeapotStacks)}}});
+        report.add(
+            path,
+            Sentence("a teapot has at most {0} along each patch and is drawn with these", maxTeapotStacks),
+            Fix{Sentence("Make it {0}", maxTeapotStacks), {{path, std::to_string(maxTeapotStacks)}}});
     }
 }
 

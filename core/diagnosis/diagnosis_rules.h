@@ -5,6 +5,7 @@
 #include "texplorer/diagnosis/diagnosis.h"
 #include "texplorer/reference/sampling/completeness.h"
 #include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/params/value_words.h"
 #include "texplorer/texture/level_plan.h"
 
 #include <array>
@@ -134,8 +135,8 @@ template<Enumerated E>
 
 /// The same in a sentence.
 template<Enumerated E>
-[[nodiscard]] ProperName named(E value) {
-    return {rowOf(value).name};
+[[nodiscard]] Sentence named(E value) {
+    return wordsOf(rowOf(value));
 }
 
 } // namespace texplorer::diagnosis

@@ -383,10 +383,11 @@ void otherOperation(const Case& about, Report& report) {
             for (const OperationRow& row : operationRows) {
                 if (std::ranges::find(row.operations, unit.matrix[i].op) != row.operations.end())
                     continue;
-                std::string readers;
+                std::vector<Sentence> readers;
                 for (const MatrixOp op : row.operations)
-                    readers += (readers.empty() ? "" : ", ") + nameOf(op);
-                report.add(step + row.key(), Sentence("only these steps read it: {0}", ProperName{readers}));
+                    readers.push_back(named(op));
+                report.add(step + row.key(),
+                           Sentence("only these steps read it: {0}", Sentence::joined("{0}, {1}", readers)));
             }
         }
     });

@@ -52,10 +52,9 @@ bool LevelMaker::keepsBlocks() {
         return false;
     }
     if (generates()) {
-        note(Sentence(
-            "the mip levels are made from pixels, so the compressed image was decompressed; mipmaps={0} "
-            "keeps the file's blocks",
-            ProperName{rowOf(MipPolicy::FromFile).name}));
+        note(Sentence("the mip levels are made from pixels, so the compressed image was decompressed; the "
+                      "mipmaps \"{0}\" keep the file's blocks",
+                      rowOf(MipPolicy::FromFile).label));
         return false;
     }
     if (texture_.npot == NpotPolicy::PowerOfTwo && texture_.mipmaps != MipPolicy::FromFile &&

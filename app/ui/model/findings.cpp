@@ -35,6 +35,14 @@ std::string withCapital(std::string text) {
     return text;
 }
 
+/// Whether a sentence's text begins with one of its names, which stays as it is: "earth.jpg: …".
+bool beginsWithName(const Sentence& sentence, std::string_view text) {
+    if (sentence.isName())
+        return !sentence.empty() && text.starts_with(sentence.english());
+    return std::ranges::any_of(sentence.arguments(),
+                               [text](const Sentence& each) { return beginsWithName(each, text); });
+}
+
 } // namespace
 
 void diagnoseSession(Session& session, const DriverFacts& driver) {
@@ -56,7 +64,8 @@ bool isUnused(const Session& session, std::string_view path) {
 }
 
 Sentence shownSentence(const Sentence& problem) {
-    return ProperName{withCapital(tr(Sentence("{0}.", problem)))};
+    const std::string text = tr(Sentence("{0}.", problem));
+    return ProperName{beginsWithName(problem, text) ? text : withCapital(text)};
 }
 
 void reveal(Session& session, const std::string& path) {

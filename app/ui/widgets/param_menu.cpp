@@ -7,6 +7,7 @@
 #include "app/ui/widgets/palette.h"
 #include "app/ui/widgets/param_parts.h"
 #include "texplorer/scene/params/key_edits.h"
+#include "texplorer/scene/params/value_words.h"
 
 #include <fmt/core.h>
 
@@ -88,8 +89,8 @@ bool paramMenu(const Session& session, const ParamRow& row, const std::string& p
 }
 
 Sentence resetWords(const ParamRow& row, const Value& initial) {
-    const std::string words = formatValue(row, initial);
-    return words.empty() ? Sentence("Reset to nothing") : Sentence("Reset to {0}", ProperName{words});
+    const Sentence words = wordsOf(row, initial);
+    return words.empty() ? Sentence("Reset to nothing") : Sentence("Reset to {0}", words);
 }
 
 void keySign(const Session& session, const std::string& path) {

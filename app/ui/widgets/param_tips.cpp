@@ -3,6 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/widgets/tip.h"
+#include "texplorer/scene/params/value_words.h"
 #include "texplorer/text/printable.h"
 
 #include <utility>
@@ -32,9 +33,9 @@ Sentence nameAndOrigin(const EnumRow& choice) {
 }
 
 Sentence howToReset(const ParamRow& row, const Value& initial, bool hasSign) {
-    const std::string words = formatValue(row, initial);
-    return hasSign ? Sentence("Initially {0}; ↺ resets it.", ProperName{words})
-                   : Sentence("Initially {0}; right-click to reset.", ProperName{words});
+    const Sentence words = wordsOf(row, initial);
+    return hasSign ? Sentence("Initially {0}; ↺ resets it.", words)
+                   : Sentence("Initially {0}; right-click to reset.", words);
 }
 
 /// In one line of the status bar, the most important first. Returns true if the necessary parts fit.

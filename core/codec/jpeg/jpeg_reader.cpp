@@ -46,9 +46,9 @@ void JpegReader::keepMessage() noexcept {
     errors_.format_message(reinterpret_cast<j_common_ptr>(&jpeg_), text.data());
     try {
         if (errors_.msg_code == JWRN_EXTRANEOUS_DATA)
-            notes_.push_back(Sentence("recovered: {0}", text.data()));
+            notes_.push_back(Sentence("recovered: {0}", ProperName{text.data()}));
         else
-            error_ = text.data();
+            error_ = ProperName{text.data()};
     } catch (const std::bad_alloc&) {
         outOfMemory_ = true;
     }

@@ -141,7 +141,7 @@ Decoder& decoderOf(png_voidp pointer) {
 void keepError(Decoder& decoder, png_const_charp message) noexcept {
     try {
         if (decoder.error.empty())
-            decoder.error = Sentence("{0} (read up to offset {1})", message, decoder.position);
+            decoder.error = Sentence("{0} (read up to offset {1})", ProperName{message}, decoder.position);
     } catch (const std::bad_alloc&) {
         decoder.error = {};
     }
@@ -167,7 +167,7 @@ void onWarning(png_structp png, png_const_charp message) {
     std::vector<Sentence>& notes = decoderOf(png_get_error_ptr(png)).notes;
     try {
         if (notes.size() < enough)
-            notes.push_back(Sentence("recovered: {0}", message));
+            notes.push_back(Sentence("recovered: {0}", ProperName{message}));
     } catch (const std::bad_alloc&) { // then without
         notes.clear();
     }

@@ -44,7 +44,7 @@ constexpr std::array projectorRows{
                               {-1000, 1000, 0.01F, {}}),
     param<&Projector::fieldOfView>("fieldOfView", N_("Projector"), N_("Field of view"), "",
                                    N_("The angle of the light's square picture, from edge to edge."),
-                                   {1, 160, 0.25F, "deg"}),
+                                   {1, 160, 0.25F, N_("deg")}),
     param<&Projector::nearest>("nearest", N_("Projector"), N_("Near"), "",
                                N_("The distance from the light whose depth is 0."),
                                {0.001F, 1000, 0.01F, {}}),

@@ -18,7 +18,7 @@ constexpr std::array textureRows{
     param<&Texture::depthSize>("depthSize", N_("Image"), N_("Shadow map size"), "",
                                N_("The number of texels on each side of the shadow map, if that is the "
                                   "source. Few texels make jagged shadows."),
-                               {1, 2048, 1, "texels"}),
+                               {1, 2048, 1, N_("texels")}),
     param<&Texture::flip>(
         "flip", N_("Image"), N_("Flip"), "",
         N_("How an image whose file begins with the top row is turned upright. OpenGL's first row is the "

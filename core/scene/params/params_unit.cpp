@@ -46,11 +46,11 @@ constexpr std::array matrixStepRows{
                                {-1e6F, 1e6F, 0.01F, {}}),
     param<&MatrixStep::angle>("angle", N_("Step"), N_("Angle"), "glRotatef({}, x, y, z)",
                               N_("The angle of a rotation at time 0. Translations and scales ignore it."),
-                              {-360, 360, 0.5F, "deg"}),
+                              {-360, 360, 0.5F, N_("deg")}),
     param<&MatrixStep::rate>("rate", N_("Animation"), N_("Rate"), "", N_("Added to the amount every second."),
                              {-1000, 1000, 0.01F, "/s"}),
     param<&MatrixStep::angleRate>("angleRate", N_("Animation"), N_("Angle rate"), "",
-                                  N_("Added to the angle every second."), {-3600, 3600, 0.5F, "deg/s"}),
+                                  N_("Added to the angle every second."), {-3600, 3600, 0.5F, N_("deg/s")}),
 };
 static_assert(matrixStepRows.size() == 7 && matrixStepRows.size() == build::memberCount<MatrixStep>());
 

@@ -9,15 +9,15 @@ using build::param;
 constexpr std::array viewRows{
     param<&View::azimuth>("azimuth", N_("Camera"), N_("Azimuth"), "glRotatef(-{}, 0, 1, 0)",
                           N_("The angle of the camera around the y axis. At 0 it looks along -z."),
-                          {-360, 360, 0.5F, "deg"}),
+                          {-360, 360, 0.5F, N_("deg")}),
     param<&View::elevation>(
         "elevation", N_("Camera"), N_("Elevation"), "glRotatef({}, 1, 0, 0)",
         N_("The angle of the camera above the horizon. Negative angles look up from below; beyond 90 degrees "
            "the camera is past the pole."),
-        {-360, 360, 0.5F, "deg"}),
+        {-360, 360, 0.5F, N_("deg")}),
     param<&View::roll>("roll", N_("Camera"), N_("Roll"), "glRotatef({}, 0, 0, 1)",
                        N_("The angle by which the camera is turned about its line of sight."),
-                       {-360, 360, 0.5F, "deg"}),
+                       {-360, 360, 0.5F, N_("deg")}),
     param<&View::distance>(
         "distance", N_("Camera"), N_("Distance"), "glTranslatef(0, 0, -{})",
         N_("The distance from the camera to its target. From afar, a pixel covers many texels (minification)."),
@@ -31,7 +31,7 @@ constexpr std::array viewRows{
     param<&View::fieldOfView>(
         "fieldOfView", N_("Camera"), N_("Field of view"), N_("gluPerspective({}, aspect, zNear, zFar)"),
         N_("The vertical opening angle. An orthographic view shows the same height at the target."),
-        {1, 170, 0.25F, "deg"}),
+        {1, 170, 0.25F, N_("deg")}),
     param<&View::perspectiveHint>(
         "perspectiveHint", N_("Camera"), N_("Perspective hint"), "glHint(GL_PERSPECTIVE_CORRECTION_HINT, {})",
         N_("GL_FASTEST interpolates without perspective, as old hardware did, and images swim. The shaders "

@@ -82,7 +82,7 @@ Result<void> checkTexCoordCount(const Model& model, const TexCoords& list) {
         return {};
     return fail(ErrorCode::OutOfRange,
                 Sentence("expected {0} coordinates, one for each vertex of the {1}, or none; found {2}",
-                         count, rowOf(model.shape).name, list.size()));
+                         count, ProperName{rowOf(model.shape).name}, list.size()));
 }
 
 Result<void> checkUnitTexture(const Scene& scene, const Unit& unit) {
