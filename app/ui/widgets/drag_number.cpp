@@ -39,6 +39,10 @@ std::string unitText(const Range& range) {
     return range.unit == "deg" ? "°" : range.unit == "deg/s" ? "°/s" : tr(range.unit);
 }
 
+std::string secondsFormat() {
+    return tr(Sentence("{0} s", ProperName{"%.2f"}));
+}
+
 void markDraggable() {
     const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
     if (ImGui::IsItemHovered())

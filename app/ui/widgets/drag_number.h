@@ -10,6 +10,9 @@ namespace texplorer::ui {
 /// The unit as the window shows it: "°", "°/s", "/s", "pixels". Empty: none.
 [[nodiscard]] std::string unitText(const Range& range);
 
+/// Dear ImGui's format of seconds in the window's language: "%.2f s".
+[[nodiscard]] std::string secondsFormat();
+
 /// The decimals of a number that is dragged in steps.
 [[nodiscard]] int decimalsOf(const Range& range);
 

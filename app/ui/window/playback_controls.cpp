@@ -137,7 +137,7 @@ void drawPlaybackControls(const Session& session) {
     auto shown = static_cast<float>(playback.time);
     const float last = std::max(shown, static_cast<float>(lengthOf(session.document.scene.timeline)));
     const float end = std::max(scrubSeconds, std::ceil(last / scrubSeconds) * scrubSeconds);
-    if (ImGui::SliderFloat("##time", &shown, 0, end, "%.2f s", ImGuiSliderFlags_AlwaysClamp))
+    if (ImGui::SliderFloat("##time", &shown, 0, end, secondsFormat().c_str(), ImGuiSliderFlags_AlwaysClamp))
         act(session, [shown](Session& s) { goToTime(s, static_cast<double>(shown)); });
     noteItem("time");
     markKeys(session, end);

@@ -25,8 +25,8 @@ void lineName(const char* words) {
 
 bool secondsField(const char* id, float& value, float min) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);
-    const bool changed =
-        ImGui::DragFloat(id, &value, 0.05F, min, maxKeyTime, "%.2f s", ImGuiSliderFlags_AlwaysClamp);
+    const bool changed = ImGui::DragFloat(id, &value, 0.05F, min, maxKeyTime, secondsFormat().c_str(),
+                                          ImGuiSliderFlags_AlwaysClamp);
     markDraggable();
     noteItem(fmt::format("record:{}", id + 2));
     return changed;
