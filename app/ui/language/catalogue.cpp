@@ -1,32 +1,11 @@
 #include "app/ui/language/catalogue.h"
 
 #include "app/ui/language/po_file.h"
-#include "texplorer/scene/params/param_text.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>
 
 namespace texplorer::ui {
-namespace {
-
-/// The placeholders of a text: "0" and "1" of "{0} × {1:.2f}". Doubled braces are none.
-std::set<std::string_view> placesOf(std::string_view text) {
-    std::set<std::string_view> places;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] != '{')
-            continue;
-        const std::string_view place = text.substr(i + 1, text.find('}', i) - i - 1);
-        if (!place.starts_with('{'))
-            places.insert(place.substr(0, place.find(':')));
-        i += place.starts_with('{') ? 1 : place.size();
-    }
-    return places;
-}
-
-} // namespace
-
 Result<void> Catalogue::read(const CatalogueFile& file) {
     const Result<std::vector<PoEntry>> entries = readPoFile(file.text, file.name);
     if (!entries)
@@ -34,14 +13,8 @@ Result<void> Catalogue::read(const CatalogueFile& file) {
     for (const PoEntry& entry : *entries) {
         if (entry.key.empty() || !entry.isTranslated())
             continue;
-        for (const std::string& form : entry.forms) {
-            if (placesOf(form) != placesOf(entry.key))
-                return fail(ErrorCode::Malformed,
-                            Sentence("expected a translation with the placeholders of {0}, found {1}",
-                                     inQuotes(entry.key), inQuotes(form)),
-                            fmt::format("{}:{}", file.name, entry.line));
+        for (const std::string& form : entry.forms)
             letters_ += form;
-        }
         for (const std::string& key : {entry.key, entry.pluralKey})
             entries_.emplace(key, entry.forms);
     }

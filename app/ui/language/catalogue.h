@@ -34,8 +34,7 @@ class Catalogue;
 /// placeholders, "{0}", for inserted values; a translation has the same ones.
 class Catalogue {
 public:
-    /// Fails for an invalid .po file, with the line, and for a translation whose placeholders do not match
-    /// its key. Untranslated and fuzzy entries are skipped.
+    /// Fails as readPoFile does. Untranslated and fuzzy entries are skipped.
     [[nodiscard]] static Result<Catalogue> parse(Language language, std::span<const CatalogueFile> files);
 
     /// The translation of a text that is a key itself; nullptr: none.

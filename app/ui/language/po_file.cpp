@@ -1,8 +1,11 @@
 #include "app/ui/language/po_file.h"
 
+#include "texplorer/text/printable.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -27,6 +30,38 @@ std::optional<std::string> quoted(std::string_view line) {
         text += line[i] == 'n' ? '\n' : line[i] == 't' ? '\t' : line[i];
     }
     return text;
+}
+
+/// The placeholders of a text: "0" and "1" of "{0} × {1:.2f}". Doubled braces are none.
+std::set<std::string_view> placesOf(std::string_view text) {
+    std::set<std::string_view> places;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '{')
+            continue;
+        const std::string_view place = text.substr(i + 1, text.find('}', i) - i - 1);
+        if (!place.starts_with('{'))
+            places.insert(place.substr(0, place.find(':')));
+        i += place.starts_with('{') ? 1 : place.size();
+    }
+    return places;
+}
+
+/// Fails for a translation whose placeholders are not those of its text.
+Result<void> checkPlaces(const PoEntry& entry, std::string_view name) {
+    const std::set<std::string_view> expected = placesOf(entry.key);
+    for (const std::string& form : entry.forms) {
+        std::vector<std::string_view> others;
+        std::ranges::set_symmetric_difference(expected, placesOf(form), std::back_inserter(others));
+        if (others.empty())
+            continue;
+        const std::string place = '{' + printable(others.front().substr(0, 40)) + '}';
+        return fail(ErrorCode::Malformed,
+                    expected.contains(others.front())
+                        ? Sentence("expected a translation with {0}, as in its text", ProperName{place})
+                        : Sentence("expected a translation without {0}, as in its text", ProperName{place}),
+                    fmt::format("{}:{}", name, entry.line));
+    }
+    return {};
 }
 
 std::string inPoQuotes(std::string_view text) {
@@ -75,6 +110,12 @@ Result<std::vector<PoEntry>> readPoFile(std::string_view text, std::string_view 
                         fmt::format("{}:{}", name, number));
         }
         *last += *words;
+    }
+    for (const PoEntry& entry : entries) {
+        if (entry.key.empty() || !entry.isTranslated())
+            continue;
+        if (const Result<void> checked = checkPlaces(entry, name); !checked)
+            return fail(checked.error());
     }
     return entries;
 }

@@ -22,7 +22,8 @@ struct PoEntry {
 };
 
 /// Reads the entries of a .po file, the header's included. `name` is the file's for errors. Fails for a line
-/// that is no comment and no part of an entry.
+/// that is no comment and no part of an entry, and for a translation whose placeholders, "{0}", are not those
+/// of its text.
 [[nodiscard]] Result<std::vector<PoEntry>> readPoFile(std::string_view text, std::string_view name);
 
 /// Writes a template for translators, a .pot file: an empty entry for each text, in order and each once.
