@@ -54,10 +54,14 @@ void codeTip(const Session& session, const ParamPlace& place, const std::string&
         const bool isCoord = place.row->kind == Kind::TexCoordList;
         const std::string_view names = isCoord ? "strq" : place.row->kind == Kind::ColorList ? "rgba" : "xyz";
         const ProperName name{names.substr(std::min(static_cast<std::size_t>(component), names.size()), 1)};
+        const Sentence label = std::string(place.row->label);
+        const std::size_t shared = sharedFrom(place);
         helpTip(isCoord ? Sentence("Coordinate {0} of vertex {1}: drag it, or double-click to type", name,
                                    *place.vertex)
-                        : Sentence("{0}, vertex {1}, {2}: drag it, or double-click to type",
-                                   Sentence(std::string(place.row->label)), *place.vertex, name));
+                : shared > 1 ? Sentence("{0}, vertices {1} to {2}, {3}: drag it, or double-click to type",
+                                        label, *place.vertex, *place.vertex + shared - 1, name)
+                             : Sentence("{0}, vertex {1}, {2}: drag it, or double-click to type", label,
+                                        *place.vertex, name));
     } else {
         const Value value = place.row->read(place.owner.values);
         paramTip(*place.row, value, value, selectedUnit(session).target,
@@ -67,8 +71,7 @@ void codeTip(const Session& session, const ParamPlace& place, const std::string&
 }
 
 /// A number in code that can be dragged, and typed after a double click.
-float codeNumber(const Session& session, const emit::Part& part, const ParamPlace& place,
-                 const CodeLook& look) {
+float codeNumber(const Session& session, const emit::Part& part, ParamPlace place, const CodeLook& look) {
     const float width = codeWidth(part);
     const Range range = rangeOf(place);
     const std::string format = fmt::format("%.{}f", place.row->kind == Kind::Int ? 0 : decimalsOf(range));
@@ -98,6 +101,12 @@ float codeNumber(const Session& session, const emit::Part& part, const ParamPlac
         const bool isCoordinate = part.component >= 0 && place.row->kind != Kind::Color;
         codeUnderline(isCoordinate && part.component < 4 ? componentColor(part.component) : ink);
     }
+    // Those that shared the value when the edit began: during a drag it may equal the next one's for a
+    // moment.
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    if (ImGui::IsItemActivated())
+        storage.SetInt(ImGui::GetItemID(), static_cast<int>(sharedFrom(place)));
+    place.vertices = static_cast<std::size_t>(storage.GetInt(ImGui::GetItemID(), 1));
     if (edited && !(isTyped && ImGui::IsItemActive())) // a typed number is used when it is complete
         assignNumber(session, place, part.component, shown == 0 ? 0.0F : sign * shown);
     sealAfterItem(session);

@@ -74,20 +74,32 @@ std::string elementText(const Value& list, std::size_t vertex) {
     return formatNumbers({&std::get<std::vector<glm::vec4>>(list)[vertex].x, 4});
 }
 
+/// The name of the step of undo.
+Sentence nameOfChange(const ParamPlace& place) {
+    if (place.row->kind == Kind::TexCoordList || place.row->member == memberId<&MeshData::positions>)
+        return Sentence("Move vertex {0}", *place.vertex);
+    const Sentence label = std::string(place.row->label);
+    return place.vertices > 1 ? Sentence("{0}: vertices {1} to {2}", label, *place.vertex,
+                                         *place.vertex + place.vertices - 1)
+                              : Sentence("{0}: vertex {1}", label, *place.vertex);
+}
+
 void assignElement(const Session& session, const ParamPlace& place, int component, float number) {
     Value list = listOf(place);
-    float* changed = numberOf(list, *place.vertex, component);
-    if (!changed || *changed == number)
+    const float* now = numberOf(list, *place.vertex, component);
+    if (!now || *now == number)
         return;
-    *changed = number;
-    const std::string path = fmt::format("{}[{}]", place.owner.pathOf(*place.row), *place.vertex);
-    const bool moves =
-        place.row->kind == Kind::TexCoordList || place.row->member == memberId<&MeshData::positions>;
-    submit(session, {.name = moves ? Sentence("Move vertex {0}", *place.vertex)
-                                   : Sentence("{0}: vertex {1}", Sentence(std::string(place.row->label)),
-                                              *place.vertex),
-                     .edits = {edit::Set{path, elementText(list, *place.vertex)}},
-                     .path = path,
+    const std::string path = place.owner.pathOf(*place.row);
+    std::vector<Edit> edits;
+    for (std::size_t i = *place.vertex; i < *place.vertex + place.vertices; ++i) {
+        if (float* changed = numberOf(list, i, component)) {
+            *changed = number;
+            edits.push_back(edit::Set{fmt::format("{}[{}]", path, i), elementText(list, i)});
+        }
+    }
+    submit(session, {.name = nameOfChange(place),
+                     .edits = std::move(edits),
+                     .path = fmt::format("{}[{}]", path, *place.vertex),
                      .continues = true});
 }
 
@@ -133,6 +145,16 @@ float numberAt(const ParamPlace& place, int component) {
         return static_cast<float>(*whole);
     const float* number = numberOf(value, component);
     return number ? *number : 0.0F;
+}
+
+std::size_t sharedFrom(const ParamPlace& place) {
+    if (!place.vertex || place.row->member != memberId<&MeshData::normals>)
+        return 1;
+    const auto normals = std::get<std::vector<glm::vec3>>(place.row->read(place.owner.values));
+    std::size_t end = *place.vertex;
+    while (end < normals.size() && normals[end] == normals[*place.vertex])
+        ++end;
+    return end - *place.vertex;
 }
 
 void assignNumber(const Session& session, const ParamPlace& place, int component, float number) {

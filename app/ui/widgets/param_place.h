@@ -13,6 +13,7 @@ struct ParamPlace {
     const ParamRow* row = nullptr;
     /// Of a list: "models[0].texCoords0[5]", "models[0].mesh.positions[5]".
     std::optional<std::size_t> vertex{};
+    std::size_t vertices = 1; ///< from that one on, which an edit changes together
 };
 
 /// Nothing if there is no such parameter.
@@ -24,6 +25,9 @@ struct ParamPlace {
 
 /// Submits another number as its control does: clamped to the row's range.
 void assignNumber(const Session& session, const ParamPlace& place, int component, float number);
+
+/// How many vertices from the place's on have its normal, for which there is one call; 1 for other lists.
+[[nodiscard]] std::size_t sharedFrom(const ParamPlace& place);
 
 /// The range and step of a drag.
 [[nodiscard]] Range rangeOf(const ParamPlace& place);

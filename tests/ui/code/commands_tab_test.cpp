@@ -176,6 +176,39 @@ TEST_F(CommandsTab, APositionAndANormalOfAMeshAreDragged) {
     EXPECT_EQ(scene().models[0].mesh.normals[0], glm::vec3(0, 0, 1));
 }
 
+// One call stands for the vertices that share a normal, and no longer for those that only once had the same.
+TEST_F(CommandsTab, ANormalIsDraggedForAllVerticesOfItsCall) {
+    Scene start = defaultScene();
+    start.models.resize(1);
+    Model& model = start.models[0];
+    model.shape = Shape::Mesh;
+    model.mesh.primitive = Primitive::Points;
+    model.mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {0, 0, 1}};
+    model.mesh.normals = {{1, 0, 0}, {0.2F, 0, 1}, {0.2F, 0, 1}, {0, 0, 1}};
+    this->start(std::move(start));
+    show();
+    EXPECT_FALSE(has("command:models[0].mesh.normals[2][0]"));
+    ImVec2 number = find("command:models[0].mesh.normals[1][0]");
+    moveTo(number);
+    ImGui::GetIO().MouseDown[0] = true;
+    frames(1);
+    for (int i = 0; i < 80; ++i) { // by 0.005, through 0, the last vertex's
+        ImGui::GetIO().MousePos = {number.x -= 1, number.y};
+        frames(1);
+    }
+    ImGui::GetIO().MouseDown[0] = false;
+    frames(2);
+    const std::vector<glm::vec3>& normals = scene().models[0].mesh.normals;
+    EXPECT_EQ(normals[0], glm::vec3(1, 0, 0));
+    EXPECT_NEAR(normals[1].x, -0.2F, 0.011F);
+    EXPECT_EQ(normals[2], normals[1]);
+    EXPECT_EQ(normals[3], glm::vec3(0, 0, 1));
+    EXPECT_EQ(session->document.history.undoName(), "Normals: vertices 1 to 2");
+    key('Z', {ctrl});
+    EXPECT_EQ(normals[2], glm::vec3(0.2F, 0, 1));
+    EXPECT_FALSE(session->document.history.canUndo());
+}
+
 TEST_F(CommandsTab, LeadsToAFile) {
     click("commands:export");
     click("menu:C with OpenGL 3.3");
