@@ -1,0 +1,97 @@
+#include "tests/core/diagnosis/mistakes.h"
+
+namespace texplorer::test {
+namespace {
+
+using enum Severity;
+
+/// A triangle with its own vertices that faces the viewer.
+MeshData& triangle(Subject& s) {
+    Model& model = s.scene.models[0];
+    model = Model{.shape = Shape::Mesh, .attachment = Attachment::Eye};
+    model.mesh.positions = {{0, 0, -3}, {1, 0, -3}, {0, 1, -3}};
+    model.mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+    return model.mesh;
+}
+
+constexpr std::array vertexRows{
+    Mistake{"NormalWithoutLength", "zero-normal", Warning, "models[0].mesh.normals",
+            "the normal of vertex 1 has length 0",
+            [](Subject& s) {
+                triangle(s).normals[1] = glm::vec3(0);
+                s.pass().lighting = true;
+            }},
+    Mistake{"NormalsWithoutLength", "zero-normal", Warning, "models[0].mesh.normals",
+            "the same is true of "
+            "2 more",
+            [](Subject& s) {
+                triangle(s).normals.assign(3, glm::vec3(0));
+                s.unit().texGenS = {.enabled = true, .mode = TexGenMode::SphereMap};
+            }},
+    Mistake{"NormalThatNothingReads", "zero-normal", Warning, "models[0].mesh.normals", "vertex 0",
+            [](Subject& s) {
+                triangle(s).normals[0] = glm::vec3(0);
+                s.pass().lighting = true;
+            },
+            [](Subject& s) { s.pass().lighting = false; }},
+    Mistake{"ReflectionAwayFromTheEye", "sphere-map-rim", Warning, "passes[0].units[0].texGenS",
+            "at vertex 0 of models[0]",
+            [](Subject& s) {
+                triangle(s).normals[0] = {1, 0, 0}; // seen along the surface
+                s.unit().texGenT = {.enabled = true, .mode = TexGenMode::SphereMap};
+            },
+            [](Subject& s) {
+                s.scene.models[0].mesh.normals[0] = {0, 0, 1};
+            }},
+    Mistake{"CoordinatesFarAway", "far-coordinates", Note, "passes[0].units[0].matrix",
+            "reach 871, 55744 texels",
+            [](Subject& s) {
+                s.unit().matrix = {{.op = MatrixOp::Translate, .amount = {870, 0, 0}}};
+            },
+            [](Subject& s) { s.unit().matrix[0].amount.x = 400; }},
+    Mistake{"FogWithoutLengthOfAModelAtTheEye", "fog-range", Warning, "passes[0].fog.end", "divides by 0",
+            [](Subject& s) {
+                MeshData& mesh = triangle(s);
+                // Rounding to a power of ten is not possible for this float.
+                mesh.positions[0].z = mesh.positions[1].z = -1e-45F;
+                mesh.positions[2].z = -5;
+                s.scene.view.projection = Projection::Orthographic;
+                s.pass().fog = {.enabled = true, .mode = FogMode::Linear, .start = 5, .end = 5};
+            }},
+    Mistake{"LineOfAMillionPixels", "long-line", Note, "models[0].mesh", "more than a million pixels",
+            [](Subject& s) {
+                triangle(s).primitive = Primitive::Lines;
+                s.scene.models[0].mesh.positions[1].x = 1e6F;
+            },
+            [](Subject& s) { s.driver.renderer = "softpipe"; }},
+    Mistake{"MeshOfNothing", "empty-mesh", Warning, "models[0].shape", "has no vertices",
+            [](Subject& s) { s.scene.models[0].shape = Shape::Mesh; }, [](Subject& s) { triangle(s); }},
+    Mistake{"MeshOfTwoVertices", "empty-mesh", Warning, "models[0].shape", "too few vertices",
+            [](Subject& s) { triangle(s).positions.pop_back(); }, [](Subject& s) { triangle(s); }},
+    Mistake{"WidthOfNoLines", "other-primitive", Unused, "models[0].lineWidth", "it has no lines",
+            [](Subject& s) { triangle(s).primitive = Primitive::Points; },
+            [](Subject& s) { s.scene.models[0].mesh.primitive = Primitive::Lines; }},
+    Mistake{"SizeOfNoPoints", "other-primitive", Unused, "models[0].pointSize", "it has no points",
+            [](Subject& s) { triangle(s); },
+            [](Subject& s) { s.scene.models[0].mesh.primitive = Primitive::Points; }},
+    Mistake{"MaterialOfTheScene", "shared-material", Unused, "models[0].material", "has the scene's material",
+            [](Subject&) {}, [](Subject& s) { s.scene.models[0].ownMaterial = true; }},
+    Mistake{"MaterialThatNoModelHas", "unused-material", Hint, "material.ambient", "material of its own",
+            [](Subject& s) {
+                for (Model& each : s.scene.models)
+                    each.ownMaterial = true;
+            },
+            [](Subject& s) { s.scene.models[0].ownMaterial = false; }},
+    Mistake{"ColourThatLightReplaces", "other-reflectance", Hint, "material.color",
+            "without GL_COLOR_MATERIAL", [](Subject& s) { s.scene.material.colorMaterial = false; },
+            [](Subject& s) { s.pass().lighting = false; }},
+    Mistake{"ReflectanceThatColourReplaces", "other-reflectance", Hint, "material.diffuse", "glColor is used",
+            [](Subject& s) { s.scene.material.colorMaterial = true; }}};
+
+} // namespace
+
+std::span<const Mistake> vertexMistakes() {
+    return vertexRows;
+}
+
+} // namespace texplorer::test
