@@ -198,7 +198,7 @@ constexpr std::array unitRows{
                 s.unit(2).combine.source0Alpha = CombineSource::Texture1;
             },
             [](Subject& s) { s.unit(1).enabled = false; }},
-    Mistake{"AngleOfAScale", "other-matrix-operation", Unused, "passes[0].units[0].matrix[0].angle", "rotate",
+    Mistake{"AngleOfAScale", "other-matrix-operation", Unused, "passes[0].units[0].matrix[0].angle", "Rotate",
             [](Subject& s) {
                 s.unit().matrix = {{MatrixOp::Scale, {1, 1, 1}}};
             },
