@@ -3,20 +3,28 @@
 #include "app/command_line/offers.h"
 #include "texplorer/base/result.h"
 #include "texplorer/gl/enum_row.h"
+#include "texplorer/text/nearest_name.h"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace texplorer {
 
-/// The names that an option accepts, and what was found instead.
-[[nodiscard]] inline tl::unexpected<Error> refuseChoice(const std::string& names, std::string_view found,
-                                                        const char* option) {
-    return fail(ErrorCode::OutOfRange, Sentence("expected one of {0}, found \"{1}\"", names, found), option);
+/// What was meant, or else the names that an option accepts.
+[[nodiscard]] inline tl::unexpected<Error> refuseChoice(const std::vector<std::string>& names,
+                                                        std::string_view found, const char* option) {
+    const std::string_view near = nearestName(found, {names.begin(), names.end()});
+    return fail(ErrorCode::OutOfRange,
+                near.empty() ? Sentence("expected one of {0}, found \"{1}\"",
+                                        fmt::format("{}", fmt::join(names, ", ")), ProperName{found})
+                             : Sentence("there is no \"{0}\"; did you mean \"{1}\"?", ProperName{found},
+                                        ProperName{near}),
+                atOption(option));
 }
 
 /// In small letters or capitals: "DXT1" is "dxt1".
@@ -38,7 +46,7 @@ template<Enumerated E>
     const std::span<const EnumRow> rows = EnumTable<E>::rows;
     if (const EnumRow* row = findChoice(rows, name))
         return static_cast<E>(row->value);
-    return refuseChoice(listNames(rows), name, option);
+    return refuseChoice(namesIn(rows), name, option);
 }
 
 /// The names of all rows, for what a shell offers.

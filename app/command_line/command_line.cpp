@@ -25,11 +25,11 @@ std::shared_ptr<CLI::App> makeApp(const std::string& program, const std::string&
 
 /// For any value. An empty value comes from an unset shell variable; the name of an option means that its
 /// value was forgotten.
-std::string checkValue(const CLI::App& app, const std::string& value) {
+Sentence checkValue(const CLI::App& app, const std::string& value) {
     if (value.empty())
-        return "expected a value, found an empty one";
+        return N_("expected a value, found an empty one");
     if (value.size() > 1 && value.starts_with("-") && app.get_option_no_throw(value) != nullptr)
-        return fmt::format("expected a value, found the option {}", value);
+        return Sentence("expected a value, found the option {0}", ProperName{value});
     return {};
 }
 
@@ -134,9 +134,14 @@ const Option& Command::keep(CLI::Option& option, const OptionRules& rules) {
     if (option.get_items_expected_max() == 0) // a flag
         option.disable_flag_override();
     else
-        option.check([app = app_.get()](const std::string& value) { return checkValue(*app, value); });
-    if (rules.check)
-        option.check(rules.check);
+        option.check([&option, app = app_.get(), check = rules.check](const std::string& value) {
+            Sentence wrong = checkValue(*app, value);
+            if (wrong.empty() && check)
+                wrong = check(value);
+            if (!wrong.empty())
+                throw WrongValue(option, wrong);
+            return std::string();
+        });
     return options_.emplace_back(option, rules);
 }
 
@@ -161,18 +166,18 @@ const Option& Command::flag(const std::string& names, bool& value, const std::st
 const Option& Command::numberOption(const std::string& names, const std::function<void(long long)>& store,
                                     const std::string& start, long long low, long long high,
                                     const std::string& help, const OptionRules& rules) {
-    const std::string range = fmt::format("{} to {}", low, high);
-    const auto parse = [store, names, low, high, range](const std::string& text) {
+    const auto parse = [store, low, high, app = app_.get(), names](const std::string& text) {
         long long number = 0;
         const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
         if (error != std::errc() || stop != text.data() + text.size() || number < low || number > high)
-            throw CLI::ValidationError(
-                names, fmt::format("expected a whole number from {}, found \"{}\"", range, text));
+            throw WrongValue(*app->get_option(names.substr(0, names.find(','))),
+                             Sentence("expected a whole number from {0} to {1}, found \"{2}\"", low, high,
+                                      ProperName{text}));
         store(number);
     };
-    CLI::Option* option =
-        app_->add_option_function<std::string>(names, parse, fmt::format("{} From {}.", help, range))
-            ->type_name("NUMBER");
+    CLI::Option* option = app_->add_option_function<std::string>(
+                                  names, parse, fmt::format("{} From {} to {}.", help, low, high))
+                              ->type_name("NUMBER");
     keep(*option, rules);
     if (rules.showsDefault)
         option->default_str(start);
@@ -261,20 +266,22 @@ std::string CommandLine::calledCommand() const {
     return name;
 }
 
-std::string CommandLine::noCommand(const std::string& word) const {
+Sentence CommandLine::noCommand(const std::string& word) const {
     std::string all;
     std::vector<std::string> names;
     for (const auto& command : commands_) {
         names.push_back(command->name());
         all.append(all.empty() ? "" : ", ").append(names.back());
     }
-    const std::string meant = didYouMean(word, {names.begin(), names.end()});
-    return fmt::format("there is no command \"{}\"{}", word,
-                       meant.empty() ? fmt::format("; expected one of {}", all) : meant);
+    const Sentence meant = meantBy(word, {names.begin(), names.end()});
+    return meant.empty()
+               ? Sentence("there is no command \"{0}\"; expected one of {1}", ProperName{word},
+                          ProperName{all})
+               : Sentence("there is no command \"{0}\"; did you mean {1}?", ProperName{word}, meant);
 }
 
 /// The error for a missing subcommand, with more than CLI11 says. Empty if none is missing.
-std::string CommandLine::missingCommand(int argc, const char* const* argv) const {
+Sentence CommandLine::missingCommand(int argc, const char* const* argv) const {
     if (commands_.empty())
         return {};
     for (int i = 1; i < argc; ++i) {
@@ -288,11 +295,13 @@ std::string CommandLine::missingCommand(int argc, const char* const* argv) const
             return {};
         if (!word.starts_with("-"))
             return noCommand(word);
-        const std::string meant = didYouMeanOption(*app_, word);
-        return fmt::format("expected a command, found \"{}\"{}", word,
-                           meant.empty() ? fmt::format("; see {} --help", app_->get_name()) : meant);
+        const Sentence meant = optionMeantBy(*app_, word);
+        return meant.empty() ? Sentence("expected a command, found \"{0}\"; see {1} --help", ProperName{word},
+                                        ProperName{app_->get_name()})
+                             : Sentence("expected a command, found \"{0}\"; did you mean {1}?",
+                                        ProperName{word}, meant);
     }
-    return fmt::format("a command is missing; see {} --help", app_->get_name());
+    return Sentence("a command is missing; see {0} --help", ProperName{app_->get_name()});
 }
 
 Result<std::optional<std::string>> CommandLine::helpAskedFor() const {
@@ -307,19 +316,19 @@ Result<std::optional<std::string>> CommandLine::helpAskedFor() const {
 Result<std::optional<std::string>> CommandLine::parse(int argc, const char* const* argv) {
     if (auto words = wordsAskedFor(argc, argv))
         return *std::move(words);
-    if (const std::string missing = missingCommand(argc, argv); !missing.empty())
+    if (const Sentence missing = missingCommand(argc, argv); !missing.empty())
         return fail(ErrorCode::OutOfRange, missing);
     try {
         app_->parse(argc, argv);
         if (!completion_.empty() || !manual_.empty())
             return fail(ErrorCode::OutOfRange, "expected no other argument with it",
-                        completion_.empty() ? manualOption : completionOption);
+                        atOption(completion_.empty() ? manualOption : completionOption));
         if (helpCommand_ != nullptr && app_->got_subcommand(helpCommandName))
             return helpAskedFor();
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0)
-            return fail(ErrorCode::OutOfRange, sentenceFor(*app_, calledCommand(), error));
+            return fail(errorFor(*app_, calledCommand(), error));
         std::ostringstream text; // --help, --version
         app_->exit(error, text);
         return text.str();

@@ -36,7 +36,7 @@ struct OptionRules {
         false; ///< of a list: takes one value each time it is given, not all the values that follow
     const Option* needs = nullptr;    ///< required together with it
     const Option* excludes = nullptr; ///< not allowed together with it
-    std::function<std::string(const std::string&)> check =
+    std::function<Sentence(const std::string&)> check =
         {};             ///< checks a value: returns what is wrong with it, or an empty text
     Offers offers = {}; ///< what a shell offers to complete the value
 };
@@ -204,8 +204,8 @@ public:
 
 private:
     [[nodiscard]] std::string calledCommand() const;
-    [[nodiscard]] std::string missingCommand(int argc, const char* const* argv) const;
-    [[nodiscard]] std::string noCommand(const std::string& word) const;
+    [[nodiscard]] Sentence missingCommand(int argc, const char* const* argv) const;
+    [[nodiscard]] Sentence noCommand(const std::string& word) const;
     [[nodiscard]] Result<std::optional<std::string>> helpAskedFor() const;
 
     [[nodiscard]] std::optional<Result<std::string>> wordsAskedFor(int argc, const char* const* argv) const;

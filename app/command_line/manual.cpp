@@ -1,5 +1,6 @@
 #include "app/command_line/manual.h"
 
+#include "app/command_line/choice_argument.h"
 #include "texplorer/text/utf8.h"
 
 #include <fmt/format.h>
@@ -245,10 +246,7 @@ Result<std::string> manualPage(const CommandLine& line, const std::string& page)
         if (page == line.name() + "-" + command->name())
             shown = command.get();
     if (shown == nullptr)
-        return fail(ErrorCode::OutOfRange,
-                    Sentence("expected one of {0}, found \"{1}\"",
-                             fmt::format("{}", fmt::join(manualPages(line), ", ")), page),
-                    "--manual");
+        return refuseChoice(manualPages(line), page, manualOption);
     const bool isProgram = shown == &line;
     const std::string called = isProgram ? line.name() : line.name() + " " + shown->name();
     return fmt::format(".TH {} 1 {} \"{}\" \"User Commands\"\n.ad l\n", roffText(inCapitals(page)),

@@ -48,7 +48,8 @@ inline void prepareStandardStreams() {
         std::signal(SIGPIPE, SIG_DFL);
         std::raise(SIGPIPE);
     }
-    return fail(ErrorCode::Unwritable, "can't be written: " + systemText(error), "standard output");
+    return fail(ErrorCode::Unwritable, Sentence("can't be written: {0}", systemText(error)),
+                inFile("standard output"));
 }
 
 /// Writes "program: sentence" to standard error.

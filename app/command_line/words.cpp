@@ -1,5 +1,6 @@
 // --completion and --manual: written from the same tables as --help.
 
+#include "app/command_line/choice_argument.h"
 #include "app/command_line/completion.h"
 #include "app/command_line/manual.h"
 
@@ -13,10 +14,7 @@ namespace {
 Result<std::string> completionFor(const CommandLine& line, const std::string& name) {
     const auto* const row = std::ranges::find(shellRows, name, &ShellRow::name);
     if (row == shellRows.end())
-        return fail(ErrorCode::OutOfRange,
-                    Sentence("expected one of {0}, found \"{1}\"",
-                             fmt::format("{}", fmt::join(namesIn(shellRows), ", ")), name),
-                    completionOption);
+        return refuseChoice(namesIn(shellRows), name, completionOption);
     return completionScript(line, row->shell);
 }
 
@@ -46,10 +44,10 @@ std::optional<Result<std::string>> CommandLine::wordsAskedFor(int argc, const ch
     const bool hasValue = asked.size() < first.size();
     const int wanted = hasValue ? 2 : 3;
     if (argc < wanted)
-        return fail(ErrorCode::OutOfRange, "expected a value, found none", asked);
+        return fail(ErrorCode::OutOfRange, "expected a value, found none", atOption(asked));
     if (argc > wanted)
         return fail(ErrorCode::OutOfRange,
-                    Sentence("expected no further argument, found \"{0}\"", argv[wanted]), asked);
+                    Sentence("expected no further argument, found \"{0}\"", argv[wanted]), atOption(asked));
     const std::string value = hasValue ? first.substr(asked.size() + 1) : argv[2];
     return asked == completionOption ? completionFor(*this, value) : manualPage(*this, value);
 }

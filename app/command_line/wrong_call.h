@@ -1,6 +1,6 @@
 #pragma once
 
-#include "texplorer/base/sentence.h"
+#include "texplorer/base/result.h"
 
 #include <CLI/CLI.hpp>
 
@@ -11,16 +11,23 @@
 
 namespace texplorer {
 
-/// The error of a wrong call in one sentence, without the program's name. `program` is the whole program,
-/// `called` the command as the user writes it, "texshot shot".
-[[nodiscard]] Sentence sentenceFor(const CLI::App& program, const std::string& called,
-                                   const CLI::ParseError& error);
+/// Of a value that a check of ours refuses. No ValidationError: of those CLI11 keeps no more than the text.
+struct WrongValue : CLI::ParseError {
+    WrongValue(const CLI::Option& option, const Sentence& message)
+        : CLI::ParseError("WrongValue", message, CLI::ExitCodes::ValidationError)
+        , error{ErrorCode::OutOfRange, message, atOption(option.get_name())} {}
+    texplorer::Error error;
+};
 
-/// `; did you mean "shot" or "show"?`: names that begin with the misspelt one, or similar ones; empty if
-/// there are none.
-[[nodiscard]] std::string didYouMean(std::string_view word, const std::vector<std::string_view>& names);
+/// The error of a wrong call. `program` is the whole program, `called` the command as the user writes it,
+/// "texshot shot".
+[[nodiscard]] Error errorFor(const CLI::App& program, const std::string& called,
+                             const CLI::ParseError& error);
 
-/// The same for an option: "; did you mean --size?"
-[[nodiscard]] std::string didYouMeanOption(const CLI::App& app, std::string_view word);
+/// `"shot" or "show"`: names that begin with the misspelt one, or similar ones; empty if there are none.
+[[nodiscard]] Sentence meantBy(std::string_view word, const std::vector<std::string_view>& names);
+
+/// The same for an option: "--size"
+[[nodiscard]] Sentence optionMeantBy(const CLI::App& app, std::string_view word);
 
 } // namespace texplorer

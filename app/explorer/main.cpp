@@ -66,7 +66,7 @@ Result<explorer::ContextApi> parseContext(const std::string& word) {
                 word == "osmesa"
                     ? N_("OSMesa draws into memory without a window: use texshot --context osmesa")
                     : Sentence("expected native or egl, found \"{0}\"", word),
-                "--context");
+                atOption("--context"));
 }
 
 /// Parses the time in which a frame must be drawn.
@@ -81,7 +81,7 @@ Result<double> parseFrameSeconds() {
     if (error == std::errc() && stop == end && seconds >= 0 && seconds <= most)
         return seconds;
     return fail(ErrorCode::OutOfRange, Sentence("expected seconds from 0 to {0}, found \"{1}\"", most, text),
-                frameVariable);
+                atName(frameVariable));
 }
 
 /// Parses the name of a renderer.

@@ -36,7 +36,7 @@ constexpr const char* maxCacheSize = "256M"; // Mesa's default is 1 GB
 using SignalHandler = void (*)(int);
 
 tl::unexpected<Error> refuse(const Sentence& message, const fs::path& path) {
-    return fail(ErrorCode::Unwritable, message, path.string());
+    return fail(ErrorCode::Unwritable, message, inFile(path.string()));
 }
 
 const char* valueOf(const char* variable) {

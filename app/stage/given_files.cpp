@@ -33,7 +33,7 @@ Result<Scene> sceneIn(const NamedFile& file) {
     Result<Scene> scene =
         sceneTextIn(file.bytes).and_then([](const std::string& text) { return parseScene(text); });
     if (!scene)
-        return fail(scene.error().code, describe(scene.error()), file.name);
+        return fail(within(inFile(file.name), scene.error()));
     return scene;
 }
 

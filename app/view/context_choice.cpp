@@ -37,7 +37,7 @@ Result<ContextChoice> ContextChoice::parse(std::string_view text, std::string_vi
                 Sentence("expected auto, osmesa, egl, egl:surfaceless or egl:N with the number of a "
                          "device, found \"{0}\"",
                          text),
-                std::string(where));
+                atOption(std::string(where)));
 }
 
 std::string ContextChoice::text() const {

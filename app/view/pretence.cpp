@@ -112,7 +112,7 @@ Result<void> Pretence::add(std::string_view word) {
             continue;
         if (!counts && equals < word.size())
             return fail(ErrorCode::OutOfRange,
-                        Sentence("{0} takes no number, found {1}", name, inQuotes(word)), option);
+                        Sentence("{0} takes no number, found {1}", name, inQuotes(word)), atOption(option));
         Lack lack{&row, 0};
         if (counts) {
             const char* const last = number.data() + number.size();
@@ -121,7 +121,7 @@ Result<void> Pretence::add(std::string_view word) {
                 return fail(ErrorCode::OutOfRange,
                             Sentence("expected {0} and a whole number from {1} to {2}, found {3}", row.word,
                                      row.low, row.high, inQuotes(word)),
-                            option);
+                            atOption(option));
         }
         lacks_.push_back(lack);
         return {};
@@ -130,9 +130,10 @@ Result<void> Pretence::add(std::string_view word) {
         return fail(ErrorCode::OutOfRange,
                     Sentence("expected one of {0}, found {1}",
                              ProperName{fmt::format("{}", fmt::join(names, ", "))}, inQuotes(word)),
-                    option);
+                    atOption(option));
     return fail(ErrorCode::OutOfRange,
-                Sentence("{0} cannot be taken away; {1}", inQuotes(word), suggestName(name, names)), option);
+                Sentence("{0} cannot be taken away; {1}", inQuotes(word), suggestName(name, names)),
+                atOption(option));
 }
 
 std::vector<std::string> pretenceWords() {

@@ -3,11 +3,11 @@
 // Functions that can fail return Result<T>; programming errors are asserts. No public function throws
 // anything but std::bad_alloc, and not even that if TooLarge is among its documented errors.
 
+#include "texplorer/base/location.h"
 #include "texplorer/base/sentence.h"
 
 #include <tl/expected.hpp>
 
-#include <string>
 #include <utility>
 
 namespace texplorer {
@@ -26,8 +26,8 @@ enum class ErrorCode {
 
 struct Error {
     ErrorCode code;
-    Sentence message;  ///< what was expected and what was found, as one sentence
-    std::string where; ///< a file, a JSON pointer, a parameter path or a GL call; may be empty
+    Sentence message; ///< what was expected and what was found, as one sentence
+    Location where;   ///< may be empty
 
     bool operator==(const Error&) const = default;
 };
@@ -37,19 +37,24 @@ inline constexpr Sentence::Key<ProperName, Sentence> describedKey = "{0}: {1}";
 /// Returns "where: message", or the message alone if `where` is empty.
 [[nodiscard]] inline Sentence describe(const Error& error) {
     return error.where.empty() ? error.message
-                               : Sentence(describedKey, ProperName{error.where}, error.message);
+                               : Sentence(describedKey, ProperName{error.where.text()}, error.message);
 }
 
 template<class T>
 using Result = tl::expected<T, Error>;
 
-/// `return fail(ErrorCode::Malformed, Sentence("expected {0} bytes, found {1}", 54, found), path);`
-[[nodiscard]] inline tl::unexpected<Error> fail(ErrorCode code, Sentence message, std::string where = {}) {
+/// `return fail(ErrorCode::Malformed, Sentence("expected {0} bytes, found {1}", 54, found), inFile(path));`
+[[nodiscard]] inline tl::unexpected<Error> fail(ErrorCode code, Sentence message, Location where = {}) {
     return tl::unexpected<Error>(Error{code, std::move(message), std::move(where)});
 }
 
 [[nodiscard]] inline tl::unexpected<Error> fail(Error error) {
     return tl::unexpected<Error>(std::move(error));
+}
+
+/// The same error, seen from outside: of a file's content, in that file.
+[[nodiscard]] inline Error within(const Location& outer, const Error& error) {
+    return {error.code, error.message, outer / error.where};
 }
 
 } // namespace texplorer

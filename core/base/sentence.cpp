@@ -63,6 +63,14 @@ void Sentence::write(std::span<const Value> values) {
     });
 }
 
+Sentence Sentence::ofParts(std::string_view key, std::vector<Sentence> arguments) {
+    Sentence whole;
+    whole.key_ = key;
+    whole.arguments_ = std::move(arguments);
+    whole.english_ = whole.in(key, &Sentence::english);
+    return whole;
+}
+
 Sentence Sentence::joined(Key<Sentence, Sentence> pair, std::span<const Sentence> all) {
     Sentence text;
     for (const Sentence& each : all)

@@ -71,6 +71,9 @@ public:
         return {number == 1 ? one : many, number, rest...};
     }
 
+    /// The same as one that was taken apart, as to send it to another process. `key` has to be a literal.
+    [[nodiscard]] static Sentence ofParts(std::string_view key, std::vector<Sentence> arguments);
+
     /// Joins two at a time: joined("{0}, {1}", all). Empty for none.
     [[nodiscard]] static Sentence joined(Key<Sentence, Sentence> pair, std::span<const Sentence> all);
 

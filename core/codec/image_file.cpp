@@ -11,7 +11,7 @@ Result<Bytes> readImageFile(const std::filesystem::path& path, std::size_t maxBy
         return fail(start.error());
     if (!recogniseImage(*start)) {
         const Error refused = decodeTexture(*start).error();
-        return fail(refused.code, refused.message, path.string());
+        return fail(refused.code, refused.message, inFile(path.string()));
     }
     return readFile(path, maxBytes, observer);
 }

@@ -12,7 +12,7 @@ Result<TextureImage> loadTexture(const std::filesystem::path& path, const Decode
         return fail(file.error());
     Result<TextureImage> texture = decodeTexture(*file, limits);
     if (!texture)
-        return fail(texture.error().code, texture.error().message, path.string());
+        return fail(texture.error().code, texture.error().message, inFile(path.string()));
     return texture;
 }
 
@@ -22,10 +22,10 @@ Result<void> saveTexture(const TextureImage& texture, const std::filesystem::pat
     if (format == nullptr || !format->encode)
         return fail(ErrorCode::Unsupported,
                     Sentence("expected a name that ends with one of {0}", writtenExtensions(", ")),
-                    path.string());
+                    inFile(path.string()));
     const Result<Bytes> bytes = format->encode(texture, options);
     return bytes ? writeFileAtomically(path, *bytes)
-                 : fail(bytes.error().code, bytes.error().message, path.string());
+                 : fail(bytes.error().code, bytes.error().message, inFile(path.string()));
 }
 
 } // namespace texplorer

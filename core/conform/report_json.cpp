@@ -58,9 +58,14 @@ Json asJson(const PairReport& pair, const Outcome& outcome) {
         json["problem"] = outcome.problem;
     if (outcome.worst) {
         const Judgement& judgement = outcome.worst->judgement;
-        json["worst"] = {{"files", worstName(pair, outcome)}, {"scene", outcome.worst->number},
-                         {"over", judgement.difference.over}, {"unexplained", judgement.unexplained},
-                         {"max", judgement.difference.max},   {"at", placeOfWorst(judgement)}};
+        const auto [x, y] = placeOfWorst(judgement);
+        json["worst"] = {{"files", worstName(pair, outcome)},
+                         {"scene", outcome.worst->number},
+                         {"over", judgement.difference.over},
+                         {"unexplained", judgement.unexplained},
+                         {"max", judgement.difference.max},
+                         {"x", x},
+                         {"y", y}};
     }
     return json;
 }
@@ -86,13 +91,13 @@ std::string asJson(const Report& report) {
     // No time is in it: the same sweep on the same machine gives the same bytes.
     const Json json{{"program", report.origin.program},
                     {"command", report.origin.command},
-                    {"driver",
-                     {{"renderer", report.driver.name},
-                      {"version", report.driver.version},
-                      {"settings", report.driver.settings}}},
+                    {"driver", report.driver.name},
+                    {"version", report.driver.version},
+                    {"settings", report.driver.settings},
                     {"seed", report.selection.seed},
                     {"scenes", report.scenes},
-                    {"extent", extent},
+                    {"width", extent},
+                    {"height", extent},
                     {"compared", report.compared()},
                     {"agrees", report.agrees()},
                     {"pairs", std::move(pairs)}};

@@ -356,7 +356,7 @@ Result<Report> sweep(const SweepOptions& options, const Renderers& renderers) {
         } catch (const std::bad_alloc&) {
             outcomes.fail({ErrorCode::TooLarge, N_("not enough memory for the pictures"), {}});
         } catch (const std::exception& error) {
-            outcomes.fail({ErrorCode::Driver, std::string("a renderer failed: ") + reasonOf(error), {}});
+            outcomes.fail({ErrorCode::Driver, Sentence("a renderer failed: {0}", reasonOf(error)), {}});
         }
         queue.close();
     };

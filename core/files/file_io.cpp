@@ -24,7 +24,8 @@ ErrorCode codeForOpening(int error) {
 
 tl::unexpected<Error> tooLarge(std::uint64_t size, std::size_t maxBytes, const std::string& where) {
     return fail(ErrorCode::TooLarge,
-                Sentence("at most {0} bytes are read, the file has at least {1}", maxBytes, size), where);
+                Sentence("at most {0} bytes are read, the file has at least {1}", maxBytes, size),
+                inFile(where));
 }
 
 // Fills the buffer as far as the file goes; gives the number of bytes, or nothing after an error.
@@ -52,9 +53,11 @@ int openForReading(const fs::path& path) {
 Result<std::uint64_t> sizeOf(int file, const std::string& where) {
     struct stat info = {};
     if (::fstat(file, &info) != 0)
-        return fail(ErrorCode::Unreadable, Sentence("can't be examined: {0}", systemText(errno)), where);
+        return fail(ErrorCode::Unreadable, Sentence("can't be examined: {0}", systemText(errno)),
+                    inFile(where));
     if (!S_ISREG(info.st_mode))
-        return fail(ErrorCode::Unreadable, Sentence("is {0}, not a file", kindName(info.st_mode)), where);
+        return fail(ErrorCode::Unreadable, Sentence("is {0}, not a file", kindName(info.st_mode)),
+                    inFile(where));
     return static_cast<std::uint64_t>(info.st_size);
 }
 
@@ -83,7 +86,8 @@ template<class Buffer>
 Result<Buffer> readInto(const Descriptor& file, const std::string& where, std::size_t maxBytes,
                         const ReadObserver& observer = {}) {
     if (!file.valid())
-        return fail(codeForOpening(errno), Sentence("can't be opened: {0}", systemText(errno)), where);
+        return fail(codeForOpening(errno), Sentence("can't be opened: {0}", systemText(errno)),
+                    inFile(where));
     const Result<std::uint64_t> stated = sizeOf(file.get(), where);
     if (!stated)
         return fail(stated.error());
@@ -93,7 +97,8 @@ Result<Buffer> readInto(const Descriptor& file, const std::string& where, std::s
 
     Buffer buffer;
     const auto noMemory = [&] {
-        return fail(ErrorCode::TooLarge, Sentence("not enough memory for its {0} bytes", size), where);
+        return fail(ErrorCode::TooLarge, Sentence("not enough memory for its {0} bytes", size),
+                    inFile(where));
     };
     if (size > buffer.max_size()) // where an address has 32 bits
         return noMemory();
@@ -110,10 +115,11 @@ Result<Buffer> readInto(const Descriptor& file, const std::string& where, std::s
                                  ? readObserved(file.get(), to, buffer.size(), observer, stopped)
                                  : readFully(file.get(), to + filled, buffer.size() - filled);
             if (stopped)
-                return fail(ErrorCode::Cancelled, "reading was cancelled", where);
+                return fail(ErrorCode::Cancelled, "reading was cancelled", inFile(where));
             const auto more = got ? readFully(file.get(), beyond, block) : std::nullopt;
             if (!more)
-                return fail(ErrorCode::Unreadable, Sentence("can't be read: {0}", systemText(errno)), where);
+                return fail(ErrorCode::Unreadable, Sentence("can't be read: {0}", systemText(errno)),
+                            inFile(where));
             filled += *got;
             buffer.resize(filled);
             if (*more == 0)
@@ -143,14 +149,15 @@ Result<Bytes> readFileStart(const fs::path& path, std::size_t count) {
     const Descriptor file(openForReading(path));
     if (!file.valid())
         return fail(codeForOpening(errno), Sentence("can't be opened: {0}", systemText(errno)),
-                    path.string());
+                    inFile(path.string()));
     if (const Result<std::uint64_t> size = sizeOf(file.get(), path.string()); !size)
         return fail(size.error());
     Bytes start;
     start.resize(count);
     const auto got = readFully(file.get(), start.data(), count);
     if (!got)
-        return fail(ErrorCode::Unreadable, Sentence("can't be read: {0}", systemText(errno)), path.string());
+        return fail(ErrorCode::Unreadable, Sentence("can't be read: {0}", systemText(errno)),
+                    inFile(path.string()));
     start.resize(*got);
     return start;
 }

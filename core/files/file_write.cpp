@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 tl::unexpected<Error> unwritable(const Sentence& what, int error, const std::string& where) {
-    return fail(ErrorCode::Unwritable, Sentence("{0}: {1}", what, systemText(error)), where);
+    return fail(ErrorCode::Unwritable, Sentence("{0}: {1}", what, systemText(error)), inFile(where));
 }
 
 tl::unexpected<Error> unwritable(int error, const std::string& where) {
@@ -58,7 +58,8 @@ Result<Place> findPlace(const fs::path& path) {
     struct stat info = {};
     const bool exists = ::stat(path.c_str(), &info) == 0;
     if (exists && !S_ISREG(info.st_mode))
-        return fail(ErrorCode::Unwritable, Sentence("is {0}, not a file", kindName(info.st_mode)), where);
+        return fail(ErrorCode::Unwritable, Sentence("is {0}, not a file", kindName(info.st_mode)),
+                    inFile(where));
     const Result<fs::path> target = followLinks(path);
     if (!target)
         return fail(target.error());
@@ -85,7 +86,8 @@ Result<fs::path> existingFolder(const fs::path& folder) {
     if (fs::is_directory(above, error))
         return above;
     return fail(ErrorCode::Unwritable,
-                Sentence("can't create the folder: {0} is not a folder", above.string()), folder.string());
+                Sentence("can't create the folder: {0} is not a folder", above.string()),
+                inFile(folder.string()));
 }
 
 } // namespace

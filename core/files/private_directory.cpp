@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 tl::unexpected<Error> refuse(const Sentence& message, const fs::path& path) {
-    return fail(ErrorCode::Unwritable, message, path.string());
+    return fail(ErrorCode::Unwritable, message, inFile(path.string()));
 }
 
 /// As the XDG Base Directory Specification wants it: what is made above is private, too.
@@ -34,7 +34,7 @@ Result<PrivateDirectory> PrivateDirectory::open(const fs::path& path) {
         const int error = errno;
         if (error == ENOENT)
             return fail(ErrorCode::NotFound, Sentence("can't be opened: {0}", systemText(error)),
-                        path.string());
+                        inFile(path.string()));
         if (::lstat(path.c_str(), &info) == 0 && !S_ISDIR(info.st_mode))
             return refuse(Sentence("is {0}, not a directory", kindName(info.st_mode)), path);
         return refuse(Sentence("can't be opened: {0}", systemText(error)), path);

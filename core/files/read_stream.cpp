@@ -39,11 +39,13 @@ Result<Bytes> readStream(int file, const std::string& where, std::size_t maxByte
                 bytes.resize(std::min(std::max(startBytes, 2 * filled), maxBytes + 1));
             const ssize_t got = readSome(file, bytes.data() + filled, bytes.size() - filled);
             if (got < 0)
-                return fail(ErrorCode::Unreadable, Sentence("can't be read: {0}", systemText(errno)), where);
+                return fail(ErrorCode::Unreadable, Sentence("can't be read: {0}", systemText(errno)),
+                            inFile(where));
             filled += static_cast<std::size_t>(got);
             if (filled > maxBytes)
                 return fail(ErrorCode::TooLarge,
-                            Sentence("at most {0} bytes are read, but there are more", maxBytes), where);
+                            Sentence("at most {0} bytes are read, but there are more", maxBytes),
+                            inFile(where));
             const bool isAsked = filled >= asked;
             if (isAsked)
                 asked = 2 * filled;
@@ -54,7 +56,7 @@ Result<Bytes> readStream(int file, const std::string& where, std::size_t maxByte
         }
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, Sentence("not enough memory for more than {0} bytes", filled),
-                    where);
+                    inFile(where));
     }
 }
 

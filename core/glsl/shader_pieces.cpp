@@ -33,7 +33,8 @@ void split(std::string_view text, char separator, auto each) {
 Result<ShaderPieces> ShaderPieces::parse(std::span<const ShaderFile> files) {
     for (const ShaderFile& wanted : embeddedShaderFiles()) {
         if (std::ranges::find(files, wanted.name, &ShaderFile::name) == files.end())
-            return fail(ErrorCode::NotFound, "the shaders need this file, which is missing", wanted.name);
+            return fail(ErrorCode::NotFound, "the shaders need this file, which is missing",
+                        inFile(wanted.name));
     }
     ShaderPieces pieces;
     for (const ShaderFile& file : files) {
@@ -41,7 +42,7 @@ Result<ShaderPieces> ShaderPieces::parse(std::span<const ShaderFile> files) {
             return fail(
                 ErrorCode::TooLarge,
                 Sentence("a shader's file has at most {0} bytes, not {1}", maxFileBytes, file.text.size()),
-                file.name);
+                inFile(file.name));
         Names& names = pieces.files_[file.name];
         std::vector<std::string> keys; // of the piece that is being read
         ShaderPiece piece;
@@ -72,7 +73,7 @@ Result<ShaderPieces> ShaderPieces::parse(std::span<const ShaderFile> files) {
         finish();
         if (!twice.empty())
             return fail(ErrorCode::Malformed, Sentence("the piece \"{0}\" is defined twice", twice),
-                        file.name);
+                        inFile(file.name));
     }
     return pieces;
 }

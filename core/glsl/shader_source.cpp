@@ -44,7 +44,7 @@ public:
         if (!piece) {
             if (!error_)
                 error_ = Error{ErrorCode::NotFound,
-                               Sentence("the piece \"{0}\" is missing", ProperName{name}), fileName};
+                               Sentence("the piece \"{0}\" is missing", ProperName{name}), inFile(fileName)};
             return;
         }
         int line = piece->firstLine;

@@ -49,7 +49,7 @@ Result<Image> loadPicture(const fs::path& path) {
                     Sentence("expected one picture, found {0}",
                              file->faces > 1 ? Sentence::plural("{0} face", "{0} faces", file->faces)
                                              : Sentence::plural("{0} slice", "{0} slices", depthOf(base))),
-                    path.string());
+                    inFile(path.string()));
     return uprightImage(*std::move(file));
 }
 
@@ -58,8 +58,8 @@ Result<void> savePicture(const Image& picture, const fs::path& path) {
     if (path.has_parent_path())
         fs::create_directories(path.parent_path(), error);
     if (error)
-        return fail(ErrorCode::Unwritable, "the folder can't be made: " + error.message(),
-                    path.parent_path().string());
+        return fail(ErrorCode::Unwritable, Sentence("the folder can't be made: {0}", error.message()),
+                    inFile(path.parent_path().string()));
     return saveTexture(textureOf(picture, {}), path);
 }
 

@@ -29,7 +29,7 @@ Result<LessonScene> checkedEdits(const LessonScene& start, const std::vector<Edi
         return scene;
     for (const std::string& file : filesOf(scene->scene)) {
         if (!scene->images.holds(file))
-            return fail(ErrorCode::NotFound, "the step's own scene has no such image", file);
+            return fail(ErrorCode::NotFound, "the step's own scene has no such image", inFile(file));
     }
     return scene;
 }
@@ -46,7 +46,8 @@ void checkName(std::string_view name, const Rows& rows, const NameOf& nameOf, co
     }
     problems.push_back(
         {ErrorCode::NotFound,
-         Sentence("expected one of {0}, found {1}", ProperName{names}, ProperName{inQuotes(name)}), where});
+         Sentence("expected one of {0}, found {1}", ProperName{names}, ProperName{inQuotes(name)}),
+         atPointer(where)});
 }
 
 void checkLook(const Look& look, const Scene& scene, const std::string& place, Problems& problems) {
@@ -86,8 +87,8 @@ void checkTask(const Predict& predict, const LessonScene& start, const std::stri
         if (!picture)
             problems.push_back(at(where, picture.error()));
         else if (std::ranges::any_of(pictures, [&](const Image& other) { return areAlike(other, *picture); }))
-            problems.push_back(
-                {ErrorCode::Malformed, N_("its picture looks like that of another answer"), where});
+            problems.push_back({ErrorCode::Malformed, N_("its picture looks like that of another answer"),
+                                atPointer(where)});
         else
             pictures.push_back(*std::move(picture));
     }
@@ -111,7 +112,7 @@ void checkTask(const Match& match, const LessonScene& start, const std::string& 
             return problems.push_back({ErrorCode::Malformed,
                                        Sentence("its picture of {0} × {1} is that of the step's own scene",
                                                 shape.width, shape.height),
-                                       where});
+                                       atPointer(where)});
     }
 }
 
@@ -121,10 +122,11 @@ void checkFallback(const LessonFolder& folder, const Lesson& lesson, std::size_t
     const std::string where = placeOf(step) + "/fallback";
     if (!wordsIn(lesson.steps[step].fallback->text).empty())
         problems.push_back({ErrorCode::Malformed, N_("expected no word in braces: this text has no picture"),
-                            where + "/text"});
+                            atPointer(where + "/text")});
     if (unitsUsed(start) < 2)
-        return problems.push_back(
-            {ErrorCode::Malformed, N_("the step's scene uses one texture unit, so it is not needed"), where});
+        return problems.push_back({ErrorCode::Malformed,
+                                   N_("the step's scene uses one texture unit, so it is not needed"),
+                                   atPointer(where)});
     const Result<LessonScene> instead = startOf(folder, lesson, step, StepImages::Leave, 1);
     if (!instead)
         problems.push_back(instead.error());
@@ -132,7 +134,7 @@ void checkFallback(const LessonFolder& folder, const Lesson& lesson, std::size_t
         problems.push_back({ErrorCode::Malformed,
                             Sentence("expected a scene with one texture unit, found one with {0}",
                                      unitsUsed(instead->scene)),
-                            where});
+                            atPointer(where)});
 }
 
 /// Each has to do something in one step at least.
@@ -152,11 +154,11 @@ void checkKeys(const std::vector<LessonKey>& keys, const std::vector<Scene>& sta
 /// `before`: what keeps that of the step before, if this one goes on with it.
 bool isOwnFault(const Error& fault, std::size_t step, const std::optional<Error>& before) {
     const std::string place = placeOf(step);
-    if (!fault.where.starts_with(place))
+    if (!fault.where.text().starts_with(place))
         return false; // an earlier step's edits
     if (!before || fault.message != before->message)
         return true;
-    return fault.where.substr(place.size()) != before->where.substr(placeOf(step - 1).size());
+    return fault.where.text().substr(place.size()) != before->where.text().substr(placeOf(step - 1).size());
 }
 
 void checkTask(const Try&, const LessonScene&, const std::string&, Problems&) {}

@@ -1,6 +1,7 @@
 #include "texplorer/lesson/lesson_files.h"
 
 #include "texplorer/files/file_io.h"
+#include "texplorer/text/nearest_name.h"
 
 #include <algorithm>
 #include <array>
@@ -28,7 +29,7 @@ std::size_t placeInOrder(const std::string& name) {
 
 Error outside(std::string_view file) {
     return {ErrorCode::OutOfRange, N_("expected the name of a file in the lesson's folder"),
-            std::string(file)};
+            inFile(std::string(file))};
 }
 
 } // namespace
@@ -48,11 +49,15 @@ std::vector<std::string> builtInLessons() {
 Result<LessonFolder> LessonFolder::builtIn(std::string_view name, fs::path installed) {
     const std::vector<std::string> names = builtInLessons();
     if (std::ranges::find(names, name) == names.end()) {
+        const std::string_view near = nearestName(name, {names.begin(), names.end()});
         std::string list;
         for (const std::string& each : names)
             list += (list.empty() ? "" : ", ") + each;
         return fail(ErrorCode::NotFound,
-                    Sentence("expected one of {0}, found \"{1}\"", ProperName{list}, ProperName{name}));
+                    near.empty()
+                        ? Sentence("expected one of {0}, found \"{1}\"", ProperName{list}, ProperName{name})
+                        : Sentence("there is no lesson \"{0}\"; did you mean \"{1}\"?", ProperName{name},
+                                   ProperName{near}));
     }
     LessonFolder folder;
     folder.name_ = name;
@@ -72,6 +77,10 @@ bool LessonFolder::has(std::string_view file) const {
     std::error_code ignored;
     return path_.empty() ? findLessonFile(name_ + "/" + std::string(file)) != nullptr
                          : fs::exists(fs::symlink_status(path_ / file, ignored)); // reading says what it is
+}
+
+std::string LessonFolder::placeOf(std::string_view file) const {
+    return ((path_.empty() ? fs::path(name_) : path_) / file).string();
 }
 
 fs::path LessonFolder::installed(std::string_view file) const {
@@ -100,7 +109,7 @@ Result<Bytes> LessonFolder::read(std::string_view file, std::size_t maxBytes) co
         return readFile(path_ / file, maxBytes);
     const LessonFile* found = findLessonFile(name_ + "/" + std::string(file));
     if (!found)
-        return fail(ErrorCode::NotFound, "the lesson has no such file", std::string(file));
+        return fail(ErrorCode::NotFound, "the lesson has no such file", inFile(std::string(file)));
     const ByteView bytes = viewBytes(found->text);
     return Bytes(bytes.begin(), bytes.end());
 }
@@ -117,12 +126,7 @@ Result<Lesson> readLesson(const LessonFolder& folder) {
     if (!text)
         return fail(text.error());
     Result<Lesson> lesson = parseLesson(*text);
-    if (!lesson) {
-        const Error& error = lesson.error();
-        const fs::path file = folder.path().empty() ? fs::path(folder.name()) : folder.path();
-        return fail(error.code, describe(error), (file / lessonFileName).string());
-    }
-    return lesson;
+    return lesson ? lesson : fail(within(inFile(folder.placeOf(lessonFileName)), lesson.error()));
 }
 
 } // namespace texplorer::lesson

@@ -51,6 +51,9 @@ public:
 
     [[nodiscard]] bool has(std::string_view file) const;
 
+    /// How a file of the folder is named in errors: "bricks/lesson.json".
+    [[nodiscard]] std::string placeOf(std::string_view file) const;
+
     /// The path of a file of installedImages; empty for a folder on disk.
     [[nodiscard]] std::filesystem::path installed(std::string_view file) const;
 

@@ -38,9 +38,9 @@ void readEdits(Members& members, std::vector<Edit>& edits, std::size_t min) {
         if (std::optional<Edit> edit = parseEdit(json.is_string() ? json.get<std::string>() : std::string()))
             edits.push_back(*std::move(edit));
         else if (!members.problem())
-            members.problem() =
-                Error{ErrorCode::Malformed,
-                      Sentence("expected PATH=VALUE or preset:NAME, found {0}", foundText(json)), where};
+            members.problem() = Error{
+                ErrorCode::Malformed,
+                Sentence("expected PATH=VALUE or preset:NAME, found {0}", foundText(json)), atPointer(where)};
     });
 }
 
@@ -198,8 +198,10 @@ Result<Lesson> parseLesson(std::string_view text) {
             readKey(each, where, problem, lesson.keys);
         });
         if (!lesson.steps.empty() && lesson.steps.front().scene.empty())
-            members.say(ErrorCode::Malformed, "steps/0/scene",
-                        N_("expected the scene that the lesson begins with"));
+            problem = problem
+                          ? problem
+                          : Error{ErrorCode::Malformed, N_("expected the scene that the lesson begins with"),
+                                  atPointer("/steps/0/scene")};
     }
     if (problem)
         return fail(*problem);

@@ -53,7 +53,7 @@ Result<void> makeChoices(Scene& scene, const std::vector<LessonKey>& keys, const
         const std::vector<Edit>& each = choicesIn(keys[key]).at(chosen[key]).edits;
         edits.insert(edits.end(), each.begin(), each.end());
     }
-    return makeEdits(scene, edits, "edits");
+    return makeEdits(scene, edits, "/edits");
 }
 
 bool holds(const Scene& scene, const std::vector<LessonKey>& keys, const ChosenChoices& chosen,
@@ -198,9 +198,8 @@ Result<void> checkKey(const Scene& scene, const LessonKey& key) {
     const std::vector<KeyChoice>& choices = choicesIn(key);
     for (std::size_t i = 0; i < choices.size(); ++i) {
         Scene edited = scene;
-        if (const Result<void> made = makeEdits(edited, choices[i].edits, "edits"); !made)
-            return fail(made.error().code, made.error().message,
-                        fmt::format("cycle/{}/{}", i, made.error().where));
+        if (const Result<void> made = makeEdits(edited, choices[i].edits, "/edits"); !made)
+            return fail(within(atPointer(fmt::format("/cycle/{}", i)), made.error()));
     }
     return {};
 }

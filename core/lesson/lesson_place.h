@@ -16,8 +16,7 @@ namespace texplorer::lesson {
 }
 
 [[nodiscard]] inline Error at(const std::string& place, const Error& error) {
-    return {error.code, error.message,
-            error.where.empty() ? place : fmt::format("{}: {}", place, error.where)};
+    return within(atPointer(place), error);
 }
 
 } // namespace texplorer::lesson

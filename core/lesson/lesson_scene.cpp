@@ -15,7 +15,10 @@ namespace {
 Result<Scene> sceneNamed(const LessonFolder& folder, const std::string& name) {
     if (folder.has(name)) {
         const Result<std::string> text = folder.readText(name);
-        return text ? parseScene(*text) : Result<Scene>(fail(text.error()));
+        if (!text)
+            return fail(text.error());
+        Result<Scene> scene = parseScene(*text);
+        return scene ? scene : fail(within(inFile(folder.placeOf(name)), scene.error()));
     }
     Result<Scene> example = exampleScene(name + ".json");
     if (!example && example.error().code == ErrorCode::NotFound)
@@ -66,7 +69,7 @@ Result<void> takeEmbedded(const LessonFolder& folder, LessonScene& step) {
             return fail(bytes.error());
         Result<TextureImage> image = decodeTexture(*bytes);
         if (!image)
-            return fail(image.error().code, image.error().message, file);
+            return fail(image.error().code, image.error().message, inFile(folder.placeOf(file)));
         step.images.put(file, *std::move(image));
         step.images.putFile(file, *std::move(bytes));
     }
@@ -106,7 +109,7 @@ Result<FoundScene> sceneOf(const LessonFolder& folder, const Lesson& lesson, std
     Result<FoundScene> found = begin();
     if (!found)
         return found;
-    if (const Result<void> made = makeEdits(found->scene, here.edits, "edits"); !made)
+    if (const Result<void> made = makeEdits(found->scene, here.edits, "/edits"); !made)
         return fail(at(placeOf(step), made.error()));
     if (here.fallback) {
         found->fallback = &*here.fallback;
@@ -140,7 +143,7 @@ std::vector<Sentence> imageNotes(const LessonScene& step) {
 
 Result<LessonScene> withEdits(const LessonScene& start, const std::vector<Edit>& edits) {
     LessonScene scene = start;
-    if (const Result<void> made = makeEdits(scene.scene, edits, "edits"); !made)
+    if (const Result<void> made = makeEdits(scene.scene, edits, "/edits"); !made)
         return fail(made.error());
     return scene;
 }
@@ -163,7 +166,7 @@ Result<LessonScene> startOf(const LessonFolder& folder, const Lesson& lesson, st
         return fail(found.error());
     LessonScene start{std::move(found->scene), ImageSource{folder.path()}};
     if (found->fallback && unitsUsed(start.scene) > units) {
-        if (const Result<void> made = makeEdits(start.scene, found->fallback->edits, "edits"); !made)
+        if (const Result<void> made = makeEdits(start.scene, found->fallback->edits, "/edits"); !made)
             return fail(at(placeOf(found->step) + "/fallback", made.error()));
         start.fallback = found->fallback->text;
     }

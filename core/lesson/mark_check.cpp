@@ -92,7 +92,7 @@ void checkPlace(const Marked& marked, const std::string& whose, const std::strin
         problems.push_back(
             {ErrorCode::OutOfRange,
              Sentence("nothing is drawn at the mark, in {0} of {1}", whose, ProperName{sizeOf(*empty)}),
-             where});
+             atPointer(where)});
     for (const Explanation& each : marked) {
         const FragmentExplanation* seen = each.seen();
         for (std::size_t i = 0; seen && i < seen->units.size(); ++i) {
@@ -102,7 +102,7 @@ void checkPlace(const Marked& marked, const std::string& whose, const std::strin
                                            Sentence("at the mark {0}, in {1} of {2}: renderers may round "
                                                     "it differently",
                                                     tie, whose, ProperName{sizeOf(each)}),
-                                           where});
+                                           atPointer(where)});
         }
     }
 }
@@ -139,14 +139,14 @@ void checkWordsHaveNumbers(const PlacedText& text, std::vector<Error>& problems)
             return problems.push_back(
                 {ErrorCode::NotFound,
                  Sentence("{{{0}}} is a number of the mark, but look has no probe", ProperName{word}),
-                 text.where});
+                 atPointer(text.where)});
         for (const Explanation& each : *text.marked) {
             if (Numbers(each).of(word).empty())
                 return problems.push_back(
                     {ErrorCode::NotFound,
                      Sentence("{{{0}}} has no number at the mark, in the picture of {1}", ProperName{word},
                               ProperName{sizeOf(each)}),
-                     text.where});
+                     atPointer(text.where)});
         }
     }
 }
@@ -199,7 +199,7 @@ void checkTypedNumbers(const PlacedText& text, std::vector<Error>& problems) {
                              "{0} is {{{1}}} in a picture of {2}, but {3} in one of {4}: expected the word",
                              ProperName{form}, ProperName{word}, ProperName{sizeOf(each)},
                              ProperName{Numbers(*other).of(word)}, ProperName{sizeOf(*other)}),
-                         text.where});
+                         atPointer(text.where)});
             }
         }
     }

@@ -2,7 +2,7 @@
 
 #include "texplorer/scene/params/json_problem.h"
 #include "texplorer/scene/params/param_text.h"
-#include "texplorer/text/json_end.h"
+#include "texplorer/text/json_encoding.h"
 
 #include <algorithm>
 #include <optional>
@@ -47,16 +47,16 @@ public:
         object.last = &*at;
         if (isNew)
             return true;
-        problem_ =
-            Error{ErrorCode::Malformed,
-                  Sentence("expected each key once, found {0} twice", ProperName{inQuotes(key)}), pointer()};
+        problem_ = Error{ErrorCode::Malformed,
+                         Sentence("expected each key once, found {0} twice", ProperName{inQuotes(key)}),
+                         atPointer(pointer())};
         return false;
     }
 
     bool parse_error(std::size_t position, const std::string& /*token*/,
                      const nlohmann::json::exception& error) override {
         JsonProblem problem = jsonProblem(text_, error.id, position);
-        problem_ = Error{ErrorCode::Malformed, std::move(problem.message), std::move(problem.where)};
+        problem_ = Error{ErrorCode::Malformed, std::move(problem.message), problem.where};
         return false;
     }
 
@@ -88,7 +88,7 @@ private:
     [[nodiscard]] std::string pointer() const {
         std::string text;
         for (const OpenBracket& each : brackets_)
-            text += "/" + (each.isList ? std::to_string(each.elements) : shortened(*each.last));
+            text += "/" + (each.isList ? std::to_string(each.elements) : pointerStep(shortened(*each.last)));
         return text;
     }
 
@@ -103,7 +103,7 @@ Result<nlohmann::json> parseStrictJson(std::string_view text, std::size_t maxByt
     if (text.size() > maxBytes)
         return fail(ErrorCode::TooLarge,
                     Sentence("expected at most {0} bytes, found {1}", maxBytes, text.size()));
-    if (const Result<void> whole = checkNoNul(text); !whole)
+    if (const Result<void> whole = checkEncoding(text); !whole)
         return fail(whole.error());
     StrictChecker checker(text);
     if (!nlohmann::json::sax_parse(text, &checker))

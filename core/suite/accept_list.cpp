@@ -1,6 +1,7 @@
 #include "texplorer/suite/accept_list.h"
 
 #include "texplorer/scene/params/param_text.h"
+#include "texplorer/text/json_encoding.h"
 #include "texplorer/text/nearest_name.h"
 #include "texplorer/text/printable.h"
 #include "texplorer/text/utf8.h"
@@ -22,15 +23,15 @@ std::string_view trimmed(std::string_view line) {
 }
 
 /// "there is no case …; did you mean …?"; a list of a thousand names does not help.
-std::string unknownText(std::string_view name, const std::vector<std::string>& known) {
+Sentence unknownText(std::string_view name, const std::vector<std::string>& known) {
     const std::vector<std::string_view> names(known.begin(), known.end());
     if (!isUtf8(name) || name.find("\uFFFD") != std::string_view::npos)
-        return fmt::format("there is no case {}: a name that isn't UTF-8 can't be in a list; use --update",
-                           inQuotes(name));
+        return Sentence("there is no case {0}: a name that isn't UTF-8 can't be in a list; use --update",
+                        ProperName{inQuotes(name)});
     const std::string_view near = nearestName(name, names);
-    return near.empty()
-               ? fmt::format("there is no case {}", inQuotes(name))
-               : fmt::format("there is no case {}; did you mean {}?", inQuotes(name), inQuotes(near));
+    return near.empty() ? Sentence("there is no case {0}", ProperName{inQuotes(name)})
+                        : Sentence("there is no case {0}; did you mean {1}?", ProperName{inQuotes(name)},
+                                   ProperName{inQuotes(near)});
 }
 
 } // namespace
@@ -40,8 +41,8 @@ Result<std::vector<std::string>> parseAcceptList(std::string_view text,
     if (text.size() > maxAcceptBytes)
         return fail(ErrorCode::TooLarge,
                     Sentence("expected at most {0} bytes, found {1}", maxAcceptBytes, text.size()));
-    if (constexpr std::string_view mark = "\xEF\xBB\xBF"; text.starts_with(mark)) // as some editors write it
-        text.remove_prefix(mark.size());
+    if (text.starts_with(byteOrderMark)) // as some editors write it
+        text.remove_prefix(byteOrderMark.size());
     const std::unordered_set<std::string_view> names(known.begin(), known.end());
     std::unordered_map<std::string, std::string_view> shown; // as the page writes what would steer a terminal
     for (const std::string& each : known)
@@ -61,7 +62,7 @@ Result<std::vector<std::string>> parseAcceptList(std::string_view text,
         if (const auto real = shown.find(std::string(name)); real != shown.end() && !names.contains(name))
             name = real->second;
         if (!names.contains(name))
-            return fail(ErrorCode::NotFound, unknownText(name, known), fmt::format("line {}", number));
+            return fail(ErrorCode::NotFound, unknownText(name, known), atLine(number));
         if (taken.insert(name).second)
             accepted.emplace_back(name);
     }

@@ -19,10 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Error inFile(const std::string& file, const Error& error) {
-    return {error.code, describe(error), file};
-}
-
 Result<CaseScene> openSource(const Suite& suite, const SceneFile& source) {
     if (source.file.empty())
         return CaseScene{defaultScene(), ImageSource{suite.folder}};
@@ -34,8 +30,8 @@ Result<CaseScene> openSource(const Suite& suite, const SceneFile& source) {
         return fail(text.error());
     Result<Scene> scene = parseScene(*text);
     if (!scene) // NotFound is for the file itself
-        return fail(
-            inFile(file->string(), {ErrorCode::Malformed, scene.error().message, scene.error().where}));
+        return fail(within(inFile(file->string()),
+                           {ErrorCode::Malformed, scene.error().message, scene.error().where}));
     return CaseScene{*std::move(scene), ImageSource{file->parent_path()}, *file};
 }
 
@@ -58,12 +54,13 @@ Result<lesson::LessonScene> sceneOfTask(const SceneLesson& source, const lesson:
     const auto* predict = std::get_if<lesson::Predict>(&step.task);
     const auto* match = std::get_if<lesson::Match>(&step.task);
     if (source.reached && !match)
-        return fail(ErrorCode::OutOfRange, "this step has no picture to reach", "reached");
+        return fail(ErrorCode::OutOfRange, "this step has no picture to reach", atPointer("/reached"));
     if (source.reached)
         return lesson::withEdits(start, match->edits);
     const std::size_t answers = predict ? predict->answers.size() : 0;
     if (source.answer > answers)
-        return fail(ErrorCode::OutOfRange, Sentence("this step has {0} answers", answers), "answer");
+        return fail(ErrorCode::OutOfRange, Sentence("this step has {0} answers", answers),
+                    atPointer("/answer"));
     return source.answer > 0 ? lesson::withEdits(start, predict->answers[source.answer - 1].edits)
                              : Result<lesson::LessonScene>(std::move(start));
 }
@@ -134,7 +131,7 @@ Result<CaseScene> openScene(const Plan& plan, const Case& of) {
     for (const std::vector<Edit>* edits : {&entry.edits, &of.edits}) {
         if (!opened)
             break;
-        if (const Result<void> made = makeEdits(opened->scene, *edits, "edits"); !made)
+        if (const Result<void> made = makeEdits(opened->scene, *edits); !made)
             return fail(made.error());
     }
     if (opened)

@@ -64,7 +64,7 @@ Result<std::optional<Image>> readMask(const fs::path& folder, const Settings& se
     while (at < mask->pixels.size() && isMasked(*mask, at))
         at += 4;
     if (at == mask->pixels.size())
-        return fail(ErrorCode::OutOfRange, "the mask leaves no pixel to compare", settings.mask);
+        return fail(ErrorCode::OutOfRange, "the mask leaves no pixel to compare", inFile(settings.mask));
     return std::optional<Image>(*std::move(mask));
 }
 
@@ -81,10 +81,8 @@ bool isSameSize(const Image& a, const Image& b) {
     return a.width == b.width && a.height == b.height;
 }
 
-JudgedCase problemOf(CaseRecord record, const Error& error) {
-    record.state = State::Error;
-    record.sentence = describe(error);
-    return {std::move(record), {}, {}};
+JudgedCase unjudged(CaseRecord record, const Error& error) {
+    return {problemOf(std::move(record), error), {}, {}};
 }
 
 std::array<std::uint8_t, 4> colorAt(const Image& image, int x, int y) {
@@ -123,7 +121,7 @@ JudgedCase judgeStored(CaseRecord record, const Criterion& criterion, Image expe
     const ComparisonWork work{.map = true, .threads = threads, .stop = {}, .report = {}};
     const Result<Comparison> comparison = comparePictures(expected, actual, criterion, mask, work);
     if (!comparison)
-        return problemOf(std::move(record), comparison.error());
+        return unjudged(std::move(record), comparison.error());
     JudgedCase judged = judgedBy(std::move(record), criterion, *comparison);
     judged.expected = std::move(expected);
     return judged;
@@ -175,7 +173,7 @@ JudgedCase judgeByRule(CaseRecord record, const conform::Rule& rule, const Scene
                        const Image& actual, conform::Explainer& reference, conform::RhoRange range) {
     Result<conform::Judgement> judgement = conform::judge(rule, scene, expected, actual, reference, range);
     if (!judgement)
-        return problemOf(std::move(record), judgement.error());
+        return unjudged(std::move(record), judgement.error());
     if (judgement->redrawn)
         expected = *std::move(judgement->redrawn);
     const Difference& difference = judgement->difference;
@@ -217,7 +215,7 @@ JudgedCase judgeAgainstReference(CaseRecord record, const Settings& settings, co
                                                          threads);
     Result<Frame> frame = reference->draw(scene.scene);
     if (!frame)
-        return problemOf(std::move(record), frame.error());
+        return unjudged(std::move(record), frame.error());
     const conform::RhoRange range = conform::rhoRangeOf(driver);
     const std::string& name = std::get<GoldenReference>(settings.golden).rule;
     const conform::Rule* rule = name == "auto" ? &ruleFor(scene.scene) : findRule(name);
@@ -225,11 +223,11 @@ JudgedCase judgeAgainstReference(CaseRecord record, const Settings& settings, co
         return judgeStored(std::move(record), settings.criterion, std::move(frame->image), actual,
                            mask ? &*mask : nullptr, threads);
     if (mask && !isSameSize(*mask, frame->image))
-        return problemOf(std::move(record),
-                         {ErrorCode::OutOfRange,
-                          Sentence("expected a mask of {0} × {1} pixels, found {2} × {3}", of.size.width,
-                                   of.size.height, mask->width, mask->height),
-                          settings.mask});
+        return unjudged(std::move(record),
+                        {ErrorCode::OutOfRange,
+                         Sentence("expected a mask of {0} × {1} pixels, found {2} × {3}", of.size.width,
+                                  of.size.height, mask->width, mask->height),
+                         inFile(settings.mask)});
     if (!mask || !isSameSize(frame->image, actual))
         return judgeByRule(std::move(record), *rule, scene.scene, std::move(frame->image), actual, *reference,
                            range);
@@ -260,7 +258,7 @@ JudgedCase judgeAgainstFiles(const CaseRecord& record, const fs::path& folder, c
             continue;
         JudgedCase judged = expected ? judgeStored(std::move(own), settings.criterion, *std::move(expected),
                                                    actual, mask ? &*mask : nullptr, threads)
-                                     : problemOf(std::move(own), expected.error());
+                                     : unjudged(std::move(own), expected.error());
         judged.goldenIsBroken = !expected && isNoPicture(expected.error());
         if (judged.record.state == State::Passed)
             return judged;
@@ -299,7 +297,7 @@ std::optional<CaseRecord> recordWithoutDrawing(const Plan& plan, const Case& of)
     if (!of.problem)
         return {};
     const State state = of.problem->code == ErrorCode::NotFound ? State::MissingScene : State::Error;
-    return recordOf(plan, of, state, describe(*of.problem));
+    return problemOf(recordOf(plan, of, state, {}), *of.problem, state);
 }
 
 std::optional<CaseRecord> recordWithoutDrawing(const Plan& plan, const Case& of, const CaseScene& scene,
@@ -326,7 +324,7 @@ JudgedCase judgeCase(const Plan& plan, const Case& of, const CaseScene& scene, c
     record.driver = driver.name;
     const Result<std::optional<Image>> mask = readMask(folder, settings);
     if (!mask)
-        return problemOf(std::move(record), mask.error());
+        return unjudged(std::move(record), mask.error());
     if (std::holds_alternative<GoldenReference>(settings.golden))
         return judgeAgainstReference(std::move(record), settings, of, scene, actual, *mask, driver, threads);
     return judgeAgainstFiles(record, folder, settings, goldensOf(plan, of, driver.name), actual, *mask,

@@ -47,7 +47,7 @@ Result<void> checkSame(const std::vector<RunRecord>& records, const std::vector<
             return fail(
                 ErrorCode::OutOfRange,
                 Sentence("{0} and {1} are of different {2}", inQuotes(names[0]), inQuotes(names[i]), what),
-                names[i]);
+                inFile(names[i]));
         };
         if (records[i].suites != records[0].suites)
             return differs("suites");

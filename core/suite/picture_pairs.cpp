@@ -27,16 +27,16 @@ Result<void> forEachPng(const fs::path& folder, const fs::path& leftOut, const A
     if (error)
         return fail(error == std::errc::no_such_file_or_directory ? ErrorCode::NotFound
                                                                   : ErrorCode::Unreadable,
-                    systemText(error.value()), folder.string());
+                    systemText(error.value()), inFile(folder.string()));
     if (!fs::is_directory(root, error))
-        return fail(ErrorCode::Unreadable, "expected a folder, found a file", folder.string());
+        return fail(ErrorCode::Unreadable, "expected a folder, found a file", inFile(folder.string()));
     std::size_t looked = 0;
     fs::recursive_directory_iterator each(root, error);
     for (; !error && each != fs::recursive_directory_iterator(); each.increment(error)) {
         if (++looked > 2 * maxPicturePairs)
             return fail(ErrorCode::TooLarge,
                         Sentence("expected at most {0} files and folders", 2 * maxPicturePairs),
-                        folder.string());
+                        inFile(folder.string()));
         std::error_code ignored;
         if (!leftOut.empty() && each->is_directory(ignored) && fs::equivalent(each->path(), leftOut, ignored))
             each.disable_recursion_pending();
@@ -45,7 +45,7 @@ Result<void> forEachPng(const fs::path& folder, const fs::path& leftOut, const A
         add(each->path().lexically_relative(root).generic_string());
     }
     if (error)
-        return fail(ErrorCode::Unreadable, systemText(error.value()), folder.string());
+        return fail(ErrorCode::Unreadable, systemText(error.value()), inFile(folder.string()));
     return {};
 }
 
@@ -71,11 +71,11 @@ Result<std::vector<PicturePair>> pairPictures(const fs::path& actual, const fs::
         return fail(read.error());
     if (pairs.empty())
         return fail(ErrorCode::OutOfRange, "expected pictures, *.png, found none in either folder",
-                    actual.string());
+                    inFile(actual.string()));
     if (pairs.size() > maxPicturePairs)
         return fail(ErrorCode::TooLarge,
                     Sentence("expected at most {0} pictures, found {1}", maxPicturePairs, pairs.size()),
-                    actual.string());
+                    inFile(actual.string()));
     std::vector<PicturePair> list;
     list.reserve(pairs.size());
     for (auto& [name, pair] : pairs)

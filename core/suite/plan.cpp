@@ -50,17 +50,18 @@ std::size_t casesOf(const Row& row, const Settings& settings, const PlanOptions&
     return count;
 }
 
-std::string placeOfEntry(const Suite& suite, std::size_t entry) {
-    return fmt::format("{}: /cases/{}", printable(suite.name), entry);
+Location placeOfEntry(const Suite& suite, std::size_t entry) {
+    return atName(printable(suite.name)) / atPointer(fmt::format("/cases/{}", entry));
 }
 
-Error inEntry(const Suite& suite, std::size_t entry, std::string_view key, const Error& error) {
-    const std::string place = fmt::format("{}/{}", placeOfEntry(suite, entry), key);
-    return {error.code, printable(error.message),
-            error.where.empty()
-                ? place
-                : fmt::format("{}: {}", place,
-                              printable(std::string_view(error.where).substr(0, shownPlaceBytes)))};
+/// What a path says that isn't one is as long as the suite has it.
+Error inEntry(const Suite& suite, std::size_t entry, const Error& error) {
+    Location place = placeOfEntry(suite, entry);
+    for (Location::Step step : error.where.steps()) {
+        step.text = printable(std::string_view(step.text).substr(0, shownPlaceBytes));
+        place = place / Location(std::move(step));
+    }
+    return {error.code, error.message, place};
 }
 
 /// A scene's axes. A scene that can't be read is no error: its cases say so.
@@ -73,17 +74,18 @@ Result<Row> readRow(const std::vector<Suite>& suites, std::size_t s, std::size_t
         row.problem = opened.error();
         return row;
     }
-    if (const Result<void> made = makeEdits(opened->scene, entry.edits, "edits"); !made)
-        return fail(inEntry(suite, e, "set", made.error()));
+    if (const Result<void> made = makeEdits(opened->scene, entry.edits, "/set"); !made)
+        return fail(inEntry(suite, e, made.error()));
     for (std::size_t a = 0; a < entry.axes.size(); ++a) {
         Result<SweepAxis> axis = parseSweepAxis(opened->scene, entry.axes[a]);
-        const std::string key = fmt::format("axis/{}", a);
+        const Location place = atPointer(fmt::format("/axis/{}", a));
         if (!axis)
-            return fail(inEntry(suite, e, key, axis.error()));
+            return fail(inEntry(suite, e, within(place, axis.error())));
         if (std::ranges::find(row.axes, axis->path, &SweepAxis::path) != row.axes.end())
-            return fail(inEntry(suite, e, key,
-                                {ErrorCode::Malformed,
-                                 N_("expected each parameter in one axis, found it again"), axis->path}));
+            return fail(
+                inEntry(suite, e,
+                        {ErrorCode::Malformed, N_("expected each parameter in one axis, found it again"),
+                         place / axis->path}));
         row.axes.push_back(*std::move(axis));
     }
     return row;
@@ -220,7 +222,7 @@ Result<std::vector<Row>> rowsOf(const std::vector<Suite>& suites, const PlanOpti
     if (count > options.limit)
         return fail(ErrorCode::TooLarge,
                     Sentence("expected at most {0} cases, found {1}", options.limit, count),
-                    suites.size() == 1 ? printable(suites.front().name) : std::string());
+                    suites.size() == 1 ? atName(printable(suites.front().name)) : Location());
     return rows;
 }
 
@@ -235,7 +237,7 @@ Result<void> checkUnique(const Plan& plan) {
                 ErrorCode::Malformed,
                 Sentence("two cases are called {0}, this one and one of {1}; give one of them a \"name\"",
                          inQuotes(each.name),
-                         placeOfEntry(plan.suiteOf(*found->second), found->second->entry)),
+                         placeOfEntry(plan.suiteOf(*found->second), found->second->entry).text()),
                 placeOfEntry(plan.suiteOf(each), each.entry));
     }
     return {};

@@ -1,5 +1,6 @@
 #include "texplorer/suite/record.h"
 
+#include "texplorer/base/error_name.h"
 #include "texplorer/base/sentence.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/param_text.h"
@@ -83,6 +84,13 @@ std::vector<std::string> RunRecord::missing() const {
     std::ranges::copy_if(names, std::back_inserter(absent),
                          [&](const std::string& name) { return !there.contains(name); });
     return absent;
+}
+
+CaseRecord problemOf(CaseRecord record, const Error& error, State state) {
+    record.state = state;
+    record.sentence = describe(error);
+    record.code = nameOf(error.code);
+    return record;
 }
 
 int exitStatus(const RunRecord& run) {

@@ -64,6 +64,7 @@ struct CaseRecord {
     std::string name;
     State state = State::Passed;
     std::string sentence{};    ///< the result: "3.2 % of the pixels differ by more than 2, …"
+    std::string code{};        ///< of an error: the name of its ErrorCode; else empty
     std::string explanation{}; ///< of the worst pixel: lines of plain text; empty: none
     double seconds = 0;
     int attempt = 1; ///< from 1
@@ -99,6 +100,9 @@ struct CaseRecord {
                                          : shareOver;
     }
 };
+
+/// Of a case that an error ends.
+[[nodiscard]] CaseRecord problemOf(CaseRecord record, const Error& error, State state = State::Error);
 
 /// A part of a run: its number, from 1, and how many there are.
 struct Shard {

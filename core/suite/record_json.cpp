@@ -2,6 +2,7 @@
 
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/report/report_files.h"
+#include "texplorer/scene/params/param_text.h"
 #include "texplorer/suite/json_reader.h"
 #include "texplorer/text/printable.h"
 
@@ -40,6 +41,7 @@ bool wasCompared(const CaseRecord& record) {
 OrderedJson caseJson(const CaseRecord& record) {
     OrderedJson json{{"name", record.name}, {"state", rowOf(record.state).name}};
     writeText(json, "sentence", record.sentence);
+    writeText(json, "code", record.code);
     writeText(json, "explanation", record.explanation);
     json["seconds"] = record.seconds;
     json["attempt"] = record.attempt;
@@ -48,7 +50,8 @@ OrderedJson caseJson(const CaseRecord& record) {
     writeText(json, "renderer", record.renderer);
     writeText(json, "driver", record.driver);
     writeText(json, "settings", record.settings);
-    json["size"] = {record.width, record.height};
+    json["width"] = record.width;
+    json["height"] = record.height;
     json["time"] = record.time;
     if (wasCompared(record)) {
         writeText(json, "metric", record.metric);
@@ -144,6 +147,7 @@ void readCase(const Json& json, const std::string& where, Problem& problem, Case
     object.text("name", record.name, maxRecordText);
     readState(object, record.state);
     object.text("sentence", record.sentence, maxRecordText);
+    object.text("code", record.code, maxRecordText);
     object.text("explanation", record.explanation, maxRecordText);
     object.number("seconds", record.seconds, 0, maxSeconds);
     object.whole("attempt", record.attempt, 1, max);
@@ -151,10 +155,12 @@ void readCase(const Json& json, const std::string& where, Problem& problem, Case
     object.text("renderer", record.renderer, maxRecordText);
     object.text("driver", record.driver, maxRecordText);
     object.text("settings", record.settings, maxRecordText);
-    std::array<int, 2> size{};
+    std::array<int, 2> size{}; // as earlier versions wrote them
     readNumbers(object, "size", size, 0, max);
     record.width = size[0];
     record.height = size[1];
+    object.whole("width", record.width, 0, max);
+    object.whole("height", record.height, 0, max);
     object.number("time", record.time, 0, maxSeconds);
     object.text("metric", record.metric, maxRecordText);
     object.number("score", record.score, -maxSeconds, maxSeconds);
@@ -180,7 +186,8 @@ void readTexts(JsonObject& object, const char* key, std::vector<std::string>& te
             texts.push_back(each.get<std::string>());
         else if (!object.problem())
             object.problem() =
-                Error{ErrorCode::Malformed, Sentence("expected a text, found {0}", foundText(each)), where};
+                Error{ErrorCode::Malformed, Sentence("expected a text, found {0}", foundText(each)),
+                      atPointer(where)};
     });
 }
 
@@ -265,7 +272,7 @@ Result<RunRecord> parseReport(const Json& json) {
             if (problem)
                 return;
             if (const Problem unknown = cases.put(std::move(record)))
-                problem = Error{unknown->code, unknown->message, where};
+                problem = Error{unknown->code, unknown->message, atPointer(where)};
         });
         cases.finish();
     }
@@ -323,9 +330,7 @@ Result<Journal> parseJournal(std::string_view text) {
             break;
         }
         const std::string_view content = text.substr(journal.wholeBytes, end - journal.wholeBytes);
-        const auto inLine = [&](const Error& error) {
-            return fail(error.code, describe(error), fmt::format("line {}", line));
-        };
+        const auto inLine = [&](const Error& error) { return fail(within(atLine(line), error)); };
         if (!cases) {
             Result<RunRecord> head = parseHead(content);
             if (!head)
@@ -355,9 +360,17 @@ Result<RunRecord> parseRun(std::string_view text) {
     const Result<Json> json = parseStrictJson(text, maxRecordBytes);
     if (!json)
         return fail(json.error());
+    if (!json->is_object() || !json->contains("texshot"))
+        return parseReport(*json);
     // What "texshot test --json" prints has the record among its results.
-    const bool isAnswer = json->is_object() && json->contains("results") && json->at("results").size() == 1;
-    return parseReport(isAnswer ? json->at("results").front() : *json);
+    const Json results = json->value("results", Json());
+    const Json command = json->value("command", Json());
+    if (command != "test" || !results.is_array() || results.size() != 1 || !results.front().contains("run"))
+        return fail(ErrorCode::Malformed,
+                    Sentence("expected the run of texshot test, found a document of texshot {0} without it",
+                             ProperName{command.is_string() ? shortened(command.get<std::string>()) : ""}));
+    Result<RunRecord> run = parseReport(results.front());
+    return run ? run : fail(within(atPointer("/results/0"), run.error()));
 }
 
 namespace {
@@ -400,8 +413,9 @@ Result<void> checkResumable(const RunRecord& journal, const RunRecord& now) {
     const std::string added = firstNotIn(now.names, journal.names);
     if (!gone.empty() || !added.empty())
         return fail(ErrorCode::OutOfRange,
-                    Sentence("the journal has other cases: {0} is {1}",
-                             quotedWhole(gone.empty() ? added : gone), gone.empty() ? "a new one" : "gone"));
+                    gone.empty()
+                        ? Sentence("the journal has other cases: {0} is a new one", quotedWhole(added))
+                        : Sentence("the journal has other cases: {0} is gone", quotedWhole(gone)));
     if (journal.plan != now.plan || journal.names != now.names)
         return fail(ErrorCode::OutOfRange, "the journal has the same cases in another order or division");
     return {};

@@ -3,6 +3,7 @@
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/suite/json_reader.h"
+#include "texplorer/text/json_encoding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,7 @@ void readSeconds(const Json& json, Problem& problem, Durations& durations) {
             problem = Error{
                 ErrorCode::OutOfRange,
                 Sentence("expected seconds from 0 to {0}, found {1}", maxRecordedSeconds, foundText(value)),
-                "/seconds/" + shortened(name)};
+                atPointer("/seconds/" + pointerStep(shortened(name)))};
         durations.emplace(name, found);
     }
 }

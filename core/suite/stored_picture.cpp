@@ -26,10 +26,10 @@ Result<StoredPicture> readStoredPicture(const std::filesystem::path& file) {
     if (isLfsPointer(*bytes))
         return fail(ErrorCode::Malformed,
                     "expected a picture, found a Git LFS pointer: \"git lfs pull\" fetches the picture",
-                    file.string());
+                    inFile(file.string()));
     const ErrorCode code = image.error().code;
     return fail(code == ErrorCode::NotFound ? ErrorCode::Malformed : code, image.error().message,
-                file.string());
+                inFile(file.string()));
 }
 
 bool isNoPicture(const Error& error) {

@@ -25,17 +25,18 @@ Result<std::vector<std::string>> filesBelow(const fs::path& folder) {
     for (; !error && each != fs::recursive_directory_iterator(); each.increment(error)) {
         if (++looked > maxListedFiles)
             return fail(ErrorCode::TooLarge,
-                        Sentence("expected at most {0} files and folders", maxListedFiles), folder.string());
+                        Sentence("expected at most {0} files and folders", maxListedFiles),
+                        inFile(folder.string()));
         std::error_code ignored;
         last = each->path();
         if (each->is_regular_file(ignored))
             names.push_back(last.lexically_relative(folder).generic_string());
         else if (last.string().ends_with(suiteExtension))
             return fail(ErrorCode::Unreadable, "expected a suite file, found something else or a broken link",
-                        last.string());
+                        inFile(last.string()));
     }
     if (error)
-        return fail(ErrorCode::Unreadable, systemText(error.value()), last.string());
+        return fail(ErrorCode::Unreadable, systemText(error.value()), inFile(last.string()));
     std::ranges::sort(names);
     return names;
 }
@@ -94,12 +95,12 @@ Result<std::vector<Suite>> suitesBelow(const fs::path& folder) {
             Sentence("expected a suite, *{0}, or scenes X.json with pictures X.png next to them, found "
                      "neither",
                      suiteExtension),
-            folder.string());
+            inFile(folder.string()));
     if (suites.back().entries.size() > maxEntries)
         return fail(
             ErrorCode::TooLarge,
             Sentence("expected at most {0} scenes, found {1}", maxEntries, suites.back().entries.size()),
-            folder.string());
+            inFile(folder.string()));
     return suites;
 }
 
@@ -146,7 +147,7 @@ Result<void> checkStays(const fs::path& folder, const fs::path& file) {
     const fs::path root = canonical(folder.empty() ? fs::path(".") : folder);
     const fs::path path = canonical(file);
     if (error)
-        return fail(ErrorCode::Unreadable, systemText(error.value()), file.string());
+        return fail(ErrorCode::Unreadable, systemText(error.value()), inFile(file.string()));
     std::error_code ignored; // of a link to nothing, where it leads can't be told
     const bool leadsNowhere = fs::is_symlink(file, ignored) && !fs::exists(path, ignored);
     if (leadsNowhere || std::ranges::mismatch(root, path).in1 != root.end())
@@ -154,7 +155,7 @@ Result<void> checkStays(const fs::path& folder, const fs::path& file) {
             ErrorCode::OutOfRange,
             "expected a file within the suite's folder, found one outside, or a link that leads outside or "
             "is broken",
-            file.string());
+            inFile(file.string()));
     return {};
 }
 

@@ -7,6 +7,7 @@
 #include "texplorer/suite/rule_choice.h"
 #include "texplorer/suite/suite.h"
 #include "texplorer/suite/suite_folder.h"
+#include "texplorer/text/json_encoding.h"
 
 #include <fmt/core.h>
 
@@ -33,7 +34,7 @@ std::vector<std::string_view> namesOfRows() {
 /// A problem about one value, at its place.
 void refuseAt(Problem& problem, const std::string& where, ErrorCode code, Sentence message) {
     if (!problem)
-        problem = Error{code, std::move(message), where};
+        problem = Error{code, std::move(message), atPointer(where)};
 }
 
 void refuseValue(Problem& problem, const std::string& where, std::string_view expected, const Json& found) {
@@ -153,7 +154,7 @@ void readGolden(const Json& json, const std::string& where, Problem& problem, Go
                             Sentence("expected 1 to {0} drivers, found {1}", maxGoldens, json.size()));
         for (const auto& [driver, patterns] : json.items()) {
             files.drivers.push_back({driver, {}});
-            readPatterns(patterns, fmt::format("{}/{}", where, shortened(driver)), problem,
+            readPatterns(patterns, fmt::format("{}/{}", where, pointerStep(shortened(driver))), problem,
                          files.drivers.back().patterns);
         }
         // An object's members have no order: the glob that says most is the first.
@@ -238,8 +239,7 @@ void readInlineScene(const Json& json, const std::string& where, Problem& proble
     scene.json = dumpJson(json);
     const Result<Scene> parsed = parseScene(scene.json);
     if (!parsed)
-        refuseAt(problem, parsed.error().where.starts_with('/') ? where + parsed.error().where : where,
-                 parsed.error().code, parsed.error().message);
+        problem = problem ? problem : within(atPointer(where), parsed.error());
 }
 
 void readLessonScene(JsonObject& object, SceneLesson& scene) {
@@ -372,7 +372,7 @@ Result<Suite> readSuite(const std::filesystem::path& file) {
         return fail(text.error());
     Result<Suite> suite = parseSuite(*text);
     if (!suite)
-        return fail(suite.error().code, describe(suite.error()), file.string());
+        return fail(within(inFile(file.string()), suite.error()));
     suite->folder = file.parent_path();
     suite->file = file;
     if (suite->name.empty()) {

@@ -50,7 +50,7 @@ Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size
         return std::make_shared<const TextureImage>(std::move(*texture));
     });
     if (!content)
-        content.error().where = path.string();
+        content.error().where = inFile(path.string());
     return content;
 }
 
@@ -76,7 +76,7 @@ struct ImageLoader::State {
               {When::WhenReady, JobOrder::Queue, loadingFailure, std::move(wake)},
               [this](const Loading::Task& task) { return load(task); },
               [](const Job& job, Error error) {
-                  error.where = job.path.string();
+                  error.where = inFile(job.path.string());
                   return Loaded{job.ticket, job.path, fail(std::move(error))};
               }) {}
 

@@ -30,7 +30,7 @@ Result<SharedImage> readImage(const std::filesystem::path& path, std::size_t lef
         return fail(file.error());
     Result<TextureImage> texture = decodeWithin(*file, left, decoding);
     if (!texture)
-        return fail(texture.error().code, texture.error().message, path.string());
+        return fail(texture.error().code, texture.error().message, inFile(path.string()));
     return std::make_shared<const TextureImage>(std::move(*texture));
 }
 
@@ -129,7 +129,7 @@ std::vector<Error> ImageSource::loadAll(const Scene& scene, std::size_t budget, 
             used += known != read.end() ? 0 : byteCount(**image);
             put(name.file, *image);
         } else {
-            errors.push_back({image.error().code, describe(image.error()), name.path});
+            errors.push_back(within(name.path, image.error()));
         }
         if (same)
             read.emplace(*same, image);

@@ -106,7 +106,7 @@ std::string brokenByError(const CodecRow& row, const Error& error) {
     if (!error.message.english().starts_with(row.name))
         return "the error doesn't begin with the format's name: " + error.message.english();
     if (!error.where.empty())
-        return "a decoder can't know a place, its error names " + inQuotes(error.where);
+        return "a decoder can't know a place, its error names " + inQuotes(error.where.text());
     return {};
 }
 

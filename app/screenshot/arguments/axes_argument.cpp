@@ -32,7 +32,7 @@ Result<std::vector<SweepAxis>> parseAxes(const Scene& scene, const std::vector<s
             return fail(axis.error());
         if (std::ranges::find(parsed, axis->path, &SweepAxis::path) != parsed.end())
             return fail(ErrorCode::OutOfRange,
-                        Sentence("expected each axis once, found {0} twice", axis->path), "--axis");
+                        Sentence("expected each axis once, found {0} twice", axis->path), atOption("--axis"));
         parsed.push_back(*std::move(axis));
     }
     return parsed;

@@ -20,7 +20,7 @@ std::string toleranceHelp() {
 
 Result<void> take(const Result<double>& number, double& to, const char* option) {
     if (!number)
-        return fail(number.error().code, number.error().message, option);
+        return fail(number.error().code, number.error().message, atOption(option));
     to = *number;
     return {};
 }

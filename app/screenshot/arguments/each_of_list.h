@@ -22,7 +22,8 @@ template<class Parse>
             return fail(value.error());
         if (std::ranges::find(values, *value) != values.end())
             return fail(ErrorCode::OutOfRange,
-                        Sentence("expected each once, found \"{0}\" twice", text.substr(0, end)), option);
+                        Sentence("expected each once, found \"{0}\" twice", text.substr(0, end)),
+                        atOption(option));
         values.push_back(*value);
         text.remove_prefix(std::min(end + 1, text.size()));
     }

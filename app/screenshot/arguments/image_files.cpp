@@ -51,7 +51,7 @@ Result<const CodecRow*> formatNamed(const std::string& name) {
     for (const CodecRow& row : codecRows())
         if (row.encode && isSameName(row.name, name))
             return &row;
-    return refuseChoice(formatNames(), name, "--to");
+    return refuseChoice(writtenFormats(), name, "--to");
 }
 
 const CodecRow& formatOfName(std::string_view name) {
@@ -85,7 +85,7 @@ struct ImageJob {
     const CodecRow* format; ///< of a pipe; a file's is that of its extension; nullptr: that of the input
 };
 
-tl::unexpected<Error> wrongImageCall(Sentence sentence, std::string where = {}) {
+tl::unexpected<Error> wrongImageCall(Sentence sentence, Location where = {}) {
     return fail(ErrorCode::OutOfRange, std::move(sentence), std::move(where));
 }
 
@@ -102,7 +102,7 @@ Result<std::vector<ImageJob>> planOfTwo(const ImageFiles& files, const ImageForm
         format != nullptr && named != nullptr && named != format)
         return wrongImageCall(Sentence("expected the format of OUT, whose extension says {0}, found {1}",
                                        named->name, format->name),
-                              "--to");
+                              atOption("--to"));
     if ((files.report || files.json) && isStandardOutput(out))
         return standardOutputIsTaken(files.json ? "--json" : "--report");
     return std::vector{ImageJob{in, out, format != nullptr ? format : usualFormat(formats)}};
@@ -111,7 +111,8 @@ Result<std::vector<ImageJob>> planOfTwo(const ImageFiles& files, const ImageForm
 Result<std::string> nameIn(const std::string& in, const ImageFormats& formats, const CodecRow* format) {
     const std::filesystem::path name = std::filesystem::path(in).filename();
     if (isStandardInput(in))
-        return wrongImageCall("has no name for a file in a folder; IN OUT writes one file", "standard input");
+        return wrongImageCall("has no name for a file in a folder; IN OUT writes one file",
+                              inFile("standard input"));
     if (name.empty() || name == "." || name == "..")
         return wrongImageCall("expected a file's name", in);
     const CodecRow* said = format != nullptr ? format : usualFormat(formats);
@@ -222,14 +223,14 @@ void tellOf(ToldImages& told, const ImageJob& job, const MadeImage& made, const 
     const int faces = all ? texture.faces : 1;
     const int layers = all ? texture.layers : 1;
     Json entry{{"input", inputName(job.in)},
-               {"output", job.out},
+               {"file", job.out},
                {"format", format.name},
                {"width", widthOf(base)},
                {"height", heightOf(base)},
                {"depth", all ? depthOf(base) : 1},
                {"layers", layers},
                {"faces", faces},
-               {"levels", levels},
+               {"levelCount", levels},
                {"bytes", bytes},
                {"losses", lossesJson(made.losses)}};
     if (made.report)
@@ -266,10 +267,10 @@ Result<void> settleLosses(const ImageJob& job, const CodecRow& format, bool allo
         return fail(
             ErrorCode::Unsupported,
             Sentence("as {0} it would lose something: {1}; --lossy writes it anyway", format.name, lost),
-            inputName(job.in));
+            inFile(inputName(job.in)));
     if (!made.losses.empty())
         warn({ErrorCode::Unsupported, Sentence("lost in {0}: {1}", format.name, allLost(made.losses)),
-              inputName(job.in)});
+              inFile(inputName(job.in))});
     return {};
 }
 
@@ -287,7 +288,7 @@ Result<WrittenImage> makeImage(const ImageJob& job, const std::optional<ImageOut
         return fail(settled.error());
     const Result<Bytes> bytes = format.encode(made->texture, made->options);
     if (!bytes)
-        return fail(bytes.error().code, bytes.error().message, job.out);
+        return fail(bytes.error().code, bytes.error().message, inFile(job.out));
     const Result<void> written =
         opened ? opened->output.write(*bytes)
                : Output::open(job.out).and_then([&](const Output& output) { return output.write(*bytes); });
@@ -337,7 +338,7 @@ const Option* addImageFiles(Command& command, ImageFiles& files, const ImageForm
     command.flag("--report", files.report, report);
     command.flag(
         "--json", files.json,
-        "The report as JSON, for programs: input, output, format, width, height, depth, layers, faces, levels, bytes "
+        "The report as JSON, for programs: input, file, format, width, height, depth, layers, faces, levelCount, bytes "
         "and losses of each image.");
     return &out;
 }

@@ -29,7 +29,7 @@ bool isNamedPipe(const std::string& path) {
 Result<Bytes> readPipe(const std::string& path, std::size_t maxBytes, const IsWorthReading& isWorthReading) {
     const Descriptor pipe(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY)); // waits for who writes
     if (!pipe.valid())
-        return fail(ErrorCode::Unreadable, "can't be opened: " + systemText(errno), path);
+        return fail(ErrorCode::Unreadable, Sentence("can't be opened: {0}", systemText(errno)), inFile(path));
     return readStream(pipe.get(), path, maxBytes, isWorthReading);
 }
 
@@ -46,7 +46,8 @@ std::string inputName(const std::string& path) {
 
 Result<void> checkStandardInputOnce(std::span<const std::string> paths) {
     if (std::ranges::count_if(paths, isStandardInput) > 1)
-        return fail(ErrorCode::OutOfRange, "can be read only once, but is named twice", "standard input");
+        return fail(ErrorCode::OutOfRange, "can be read only once, but is named twice",
+                    inFile("standard input"));
     return {};
 }
 

@@ -11,12 +11,13 @@ namespace texplorer::screenshot {
 /// goes on. `why`: "it applies to TGA files only". What can't be done as it was asked for is an error of its
 /// own.
 inline void noteUnused(const std::string& option, const std::string& why) {
-    warn({ErrorCode::OutOfRange, "has no effect here: " + why, option});
+    warn({ErrorCode::OutOfRange, Sentence("has no effect here: {0}", why), atOption(option)});
 }
 
 /// What prints its answer for programs can't write a picture there, too.
 [[nodiscard]] inline tl::unexpected<Error> standardOutputIsTaken(const std::string& option) {
-    return fail(ErrorCode::OutOfRange, "standard output can have the picture or the JSON, not both", option);
+    return fail(ErrorCode::OutOfRange, "standard output can have the picture or the JSON, not both",
+                atOption(option));
 }
 
 } // namespace texplorer::screenshot

@@ -60,7 +60,7 @@ tl::unexpected<Error> takesThePlaceOf(const NamedOutput& other, const NamedOutpu
                 std::string_view(other.option) == output.option
                     ? Sentence("expected a file other than {0}, which is also written", inQuotes(other.path))
                     : Sentence("expected a file other than that of {0}", other.option),
-                output.option);
+                atOption(output.option));
 }
 
 /// Outputs and inputs that lie in a folder which another output fills.
@@ -72,12 +72,12 @@ Result<void> checkOutside(const NamedOutput& folder, Places& places, std::span<c
             return fail(ErrorCode::OutOfRange,
                         Sentence("expected a file outside of {0}, which {1} fills", inQuotes(folder.path),
                                  folder.option),
-                        each.option);
+                        atOption(each.option));
     for (const std::string& each : inputs)
         if (!each.empty() && isWithin(places.of(each), place))
             return fail(ErrorCode::OutOfRange,
                         Sentence("expected a folder other than that of {0}, which is read", inQuotes(each)),
-                        folder.option);
+                        atOption(folder.option));
     return {};
 }
 
@@ -108,7 +108,7 @@ Result<void> checkNotRead(std::span<const NamedOutput> outputs, std::span<const 
         if (const auto input = id ? read.find(*id) : read.end(); input != read.end())
             return fail(ErrorCode::OutOfRange,
                         Sentence("expected a file other than {0}, which is read", inQuotes(input->second)),
-                        each.option);
+                        atOption(each.option));
     }
     return {};
 }
@@ -124,7 +124,7 @@ Result<void> checkOutputsApart(std::span<const NamedOutput> outputs, std::span<c
         if (isStandardOutput(each.path)) {
             if (printed != nullptr)
                 return fail(ErrorCode::OutOfRange, "expected one text on standard output, found two",
-                            fmt::format("{} and {}", printed->option, each.option));
+                            atOption(fmt::format("{} and {}", printed->option, each.option)));
             printed = &each;
         }
         if (each.path.empty() || isStandardOutput(each.path) || isCharacterDevice(each.path))

@@ -54,7 +54,7 @@ Result<view::Size> parsePictureSize(std::string_view text, view::Size min) {
     return fail(ErrorCode::OutOfRange,
                 Sentence("expected WIDTHxHEIGHT from {0} to {1}, found \"{2}\"", asArgument(min),
                          asArgument({maxExtent, maxExtent}), text),
-                "--size");
+                atOption("--size"));
 }
 
 Result<double> parseTime(std::string_view text) {
@@ -64,7 +64,7 @@ Result<double> parseTime(std::string_view text) {
     if (error == std::errc() && stop == end && std::isfinite(seconds))
         return seconds;
     return fail(ErrorCode::OutOfRange, Sentence("expected a finite number of seconds, found \"{0}\"", text),
-                "--time");
+                atOption("--time"));
 }
 
 Result<std::vector<view::Size>> parsePictureSizes(std::string_view text, view::Size min) {

@@ -29,10 +29,11 @@ Result<void> assign(Scene& scene, const std::string& assignment) {
 }
 
 /// Told while the command line is read, before a value that stands apart is taken for a scene's file.
-std::string checkAssignment(const std::string& text) {
+Sentence checkAssignment(const std::string& text) {
     return text.find('=') != std::string::npos
-               ? std::string()
-               : fmt::format("expected PATH=VALUE, joined by = without a space, found \"{}\"", text);
+               ? Sentence()
+               : Sentence("expected PATH=VALUE, joined by = without a space, found \"{0}\"",
+                          ProperName{text});
 }
 
 /// How much is read of an input that should hold a scene: of a PNG, which has its pixels beside it, all.
@@ -50,22 +51,19 @@ Result<std::string> readSceneInput(const std::string& path) {
     if (!file)
         return fail(file.error());
     Result<std::string> text = sceneTextIn(*file);
-    return text ? text : fail(text.error().code, text.error().message, inputName(path));
+    return text ? text : fail(text.error().code, text.error().message, inFile(inputName(path)));
 }
 
 Result<Scene> exampleNamed(const std::string& name) {
     Result<Scene> scene = exampleScene(name + ".json");
-    return scene ? scene : fail(scene.error().code, scene.error().message, "--example");
+    return scene ? scene : fail(scene.error().code, scene.error().message, atOption("--example"));
 }
 
 Result<void> applyPresetNamed(Scene& scene, const std::string& name) {
     const Preset* preset = findPreset(name);
     if (preset)
         return applyPreset(*preset, scene);
-    std::string names;
-    for (const Preset& each : presets())
-        names.append(names.empty() ? "" : ", ").append(each.name);
-    return refuseChoice(names, name, "--preset");
+    return refuseChoice(namesIn(presets()), name, "--preset");
 }
 
 Result<lesson::LessonScene> sceneOfTask(const SceneArgument& argument, const lesson::Step& step,
@@ -75,12 +73,12 @@ Result<lesson::LessonScene> sceneOfTask(const SceneArgument& argument, const les
     if (argument.reached && match)
         return lesson::withEdits(start, match->edits);
     if (argument.reached)
-        return fail(ErrorCode::OutOfRange, "this step has no picture to reach", "--reached");
+        return fail(ErrorCode::OutOfRange, "this step has no picture to reach", atOption("--reached"));
     const std::size_t answers = predict ? predict->answers.size() : 0;
     if (argument.answer > answers)
         return fail(ErrorCode::OutOfRange,
                     answers > 0 ? Sentence("this step has {0} answers", answers) : "this step has no answers",
-                    "--answer");
+                    atOption("--answer"));
     return argument.answer > 0 ? lesson::withEdits(start, predict->answers[argument.answer - 1].edits)
                                : Result<lesson::LessonScene>(start);
 }
@@ -91,7 +89,7 @@ tl::expected<OpenedScene, SceneProblem> openStep(const SceneArgument& argument) 
     };
     const Result<lesson::LessonFolder> folder = lessonFolder(argument.lesson);
     if (!folder)
-        return problem({folder.error().code, folder.error().message, "--lesson"}, wrongCall);
+        return problem({folder.error().code, folder.error().message, atOption("--lesson")}, wrongCall);
     const Result<lesson::Lesson> lesson = readLesson(*folder);
     if (!lesson)
         return problem(lesson.error(), failure);
@@ -99,17 +97,17 @@ tl::expected<OpenedScene, SceneProblem> openStep(const SceneArgument& argument) 
         return problem(
             {ErrorCode::OutOfRange,
              Sentence("expected a step from 1 to {0}, found {1}", lesson->steps.size(), argument.step),
-             "--step"},
+             atOption("--step")},
             wrongCall);
     const Result<lesson::LessonScene> start =
         startOf(*folder, *lesson, argument.step - 1, lesson::StepImages::Read, argument.units);
     if (!start)
-        return problem(start.error(), failure);
+        return problem(within(inFile(folder->placeOf(lesson::lessonFileName)), start.error()), failure);
     Result<lesson::LessonScene> scene = sceneOfTask(argument, lesson->steps[argument.step - 1], *start);
     if (!scene)
         return problem(scene.error(), wrongCall);
     if (!scene->fallback.empty())
-        warn({ErrorCode::Unsupported, scene->fallback, "--lesson"});
+        warn({ErrorCode::Unsupported, scene->fallback, atOption("--lesson")});
     return OpenedScene{std::move(scene->scene), std::move(scene->images)};
 }
 
@@ -286,7 +284,7 @@ void tellOfImages(const ImageSource& images) {
 }
 
 Error inScene(const SceneArgument& argument, const Error& error) {
-    return argument.file.empty() ? error : Error{error.code, describe(error), inputName(argument.file)};
+    return argument.file.empty() ? error : within(inFile(inputName(argument.file)), error);
 }
 
 } // namespace texplorer::screenshot

@@ -13,10 +13,10 @@ Result<TextureImage> readTexture(const std::string& path) {
     limits.everything = true;
     Result<TextureImage> texture = decodeTexture(*file, limits);
     if (!texture)
-        return fail(texture.error().code, texture.error().message, inputName(path));
+        return fail(texture.error().code, texture.error().message, inFile(inputName(path)));
     for (const std::vector<Sentence>& sentences : {texture->notes, texture->remarks})
         for (const Sentence& sentence : sentences)
-            warn({ErrorCode::Malformed, sentence, inputName(path)});
+            warn({ErrorCode::Malformed, sentence, inFile(inputName(path))});
     return texture;
 }
 

@@ -29,8 +29,7 @@ Result<typename Rows::value_type> parseRow(const Rows& rows, std::string_view na
         if (isSameName(row.name, name))
             return row;
     }
-    return fail(ErrorCode::OutOfRange, Sentence("expected one of {0}, found \"{1}\"", namesOf(rows), name),
-                option);
+    return refuseChoice(namesIn(rows), name, option);
 }
 
 Result<std::optional<ui::Tab>> parseTab(std::string_view name) {
@@ -80,7 +79,7 @@ Result<float> parseScale(std::string_view text) {
         return scale;
     return fail(ErrorCode::OutOfRange,
                 Sentence("expected a number from {0} to {1}, found \"{2}\"", minScale, maxScale, text),
-                "--scale");
+                atOption("--scale"));
 }
 
 Result<std::optional<ui::Section>> parseSection(std::string_view name) {
@@ -97,7 +96,7 @@ Result<std::optional<reference::PixelPlace>> parseProbe(std::string_view text) {
     std::array<int, 2> place{};
     if (parseNumbers(text, place) && place[0] >= 0 && place[1] >= 0)
         return reference::PixelPlace{place[0], place[1]};
-    return fail(ErrorCode::OutOfRange, Sentence("expected X,Y, found \"{0}\"", text), "--probe");
+    return fail(ErrorCode::OutOfRange, Sentence("expected X,Y, found \"{0}\"", text), atOption("--probe"));
 }
 
 /// "fixed,reference"
@@ -107,7 +106,7 @@ Result<std::vector<RendererKind>> parseCompared(std::string_view text) {
         return std::vector<RendererKind>();
     Result<std::vector<RendererKind>> renderers = parseRenderers(text, option);
     if (renderers && renderers->size() == 1)
-        return fail(ErrorCode::OutOfRange, "expected two renderers or more, found one", option);
+        return fail(ErrorCode::OutOfRange, "expected two renderers or more, found one", atOption(option));
     return renderers;
 }
 

@@ -64,7 +64,7 @@ Result<double> parseNumber(std::string_view text, double low, double high, const
         return number;
     return fail(ErrorCode::OutOfRange,
                 Sentence("expected a number above {0} and up to {1}, found \"{2}\"", low, high, text),
-                option);
+                atOption(option));
 }
 
 /// As the line says it, or else as long as the scene's key frames are.
@@ -74,7 +74,8 @@ Result<double> lengthOf(const AnimateOptions& options, const Scene& scene, doubl
     const double rest = texplorer::lengthOf(scene.timeline) - begin;
     if (rest > 0)
         return rest;
-    return fail(ErrorCode::OutOfRange, "expected a length, as the scene has no key frames", "--seconds");
+    return fail(ErrorCode::OutOfRange, "expected a length, as the scene has no key frames",
+                atOption("--seconds"));
 }
 
 Result<void> putMoves(const AnimateOptions& options, const std::vector<std::string>& moves, Motion& motion) {
@@ -97,7 +98,7 @@ Result<void> countPictures(Motion& motion) {
         return fail(ErrorCode::TooLarge,
                     Sentence("expected at most {0} pictures, found {1}: {2} s with {3} a second", maxPictures,
                              pictures, motion.seconds, motion.perSecond),
-                    "--seconds");
+                    atOption("--seconds"));
     motion.pictures = static_cast<std::size_t>(pictures);
     return {};
 }
@@ -110,7 +111,7 @@ tl::expected<Motion, SceneProblem> motionOf(const AnimateOptions& options) {
     if (request->time < 0 || request->time >= double{maxKeyTime})
         return wrong({ErrorCode::OutOfRange,
                       Sentence("expected a begin from 0 to {0} s, found {1}", maxKeyTime, request->time),
-                      "--time"});
+                      atOption("--time")});
     const Result<double> perSecond = parseNumber(options.perSecond, 0, maxPerSecond, "--fps");
     if (!perSecond)
         return wrong(perSecond.error());
@@ -128,7 +129,7 @@ tl::expected<Motion, SceneProblem> motionOf(const AnimateOptions& options) {
         return wrong({ErrorCode::TooLarge,
                       Sentence("expected an end within {0} s, found {1}", maxKeyTime,
                                motion.request.time + motion.seconds),
-                      "--seconds"});
+                      atOption("--seconds")});
     if (const Result<void> counted = countPictures(motion); !counted)
         return wrong(counted.error());
     if (const Result<void> put = putMoves(options, moves, motion); !put)
@@ -183,18 +184,19 @@ Result<FileNames> fileNames(const std::string& name, std::size_t pictures) {
     const auto wrong = [&] {
         return fail(ErrorCode::OutOfRange,
                     Sentence("expected a place for the number as %04d or {{number}}, found \"{0}\"", name),
-                    "--out");
+                    atOption("--out"));
     };
     const Result<std::string> braced = withBracedNumbers(name);
     if (!braced)
         return wrong();
     Result<NamePattern> pattern = NamePattern::parse(*braced);
     if (!pattern)
-        return fail(pattern.error().code, pattern.error().message, "--out");
+        return fail(pattern.error().code, pattern.error().message, atOption("--out"));
     const std::vector<std::string> places = pattern->places();
     if (places.size() > 1)
         return fail(ErrorCode::OutOfRange,
-                    Sentence("expected one place for the number, found two in \"{0}\"", name), "--out");
+                    Sentence("expected one place for the number, found two in \"{0}\"", name),
+                    atOption("--out"));
     FileNames names{*std::move(pattern)};
     for (const std::string_view place : places) {
         if (place == numberPlace)
@@ -216,7 +218,7 @@ Result<void> checkFormat(const AnimateOptions& options, const Motion& motion,
             ErrorCode::OutOfRange,
             Sentence("expected at most {0} a second in {1} files, which viewers show slower; found {2}",
                      format.maxPerSecond, format.name, motion.perSecond),
-            "--fps");
+            atOption("--fps"));
     const double shown = std::min(1 / motion.perSecond, motion.seconds);
     const double longest = static_cast<double>(format.maxShownUnits) / format.unitsPerSecond;
     if (shown > longest)
@@ -224,13 +226,13 @@ Result<void> checkFormat(const AnimateOptions& options, const Motion& motion,
             ErrorCode::OutOfRange,
             Sentence("expected in {0} files pictures that are shown for at most {1:g} s, found {2:g} s",
                      format.name, longest, shown),
-            "--fps");
+            atOption("--fps"));
     const auto [width, height] = motion.request.size;
     if (std::max(width, height) > format.maxExtent)
         return fail(ErrorCode::TooLarge,
                     Sentence("expected at most {0}x{0} for {1} files, found {2}x{3}", format.maxExtent,
                              format.name, width, height),
-                    "--size");
+                    atOption("--size"));
     if (!options.quality.empty() && format.format != animation::Format::WebP)
         noteUnused("--quality", "it applies to WebP only");
     if (options.withoutMetadata && format.format != animation::Format::Apng)
@@ -269,7 +271,7 @@ ExitCode animateIntoFile(const AnimateOptions& options, const std::string& out, 
                          Sentence("expected a name that ends in .gif, .webp or .png, or one with a place for "
                                   "the number of each picture, as frame-%04d.tga; found \"{0}\"",
                                   out),
-                         "--out"},
+                         atOption("--out")},
                         wrongCall);
     if (const Result<void> fits = checkFormat(options, motion, *format); !fits)
         return complain(fits.error(), wrongCall);
@@ -282,7 +284,7 @@ ExitCode animateIntoFile(const AnimateOptions& options, const std::string& out, 
         if (!quality || *quality < 0)
             return complain({ErrorCode::OutOfRange,
                              Sentence("expected a number from 0 to 100, found \"{0}\"", options.quality),
-                             "--quality"},
+                             atOption("--quality")},
                             wrongCall);
         settings.quality = static_cast<float>(*quality);
     }

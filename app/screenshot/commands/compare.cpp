@@ -59,12 +59,16 @@ Result<ReadPicture> readPicture(const std::string& path) {
             return fail(ErrorCode::Unsupported,
                         Sentence("expected one picture, found {0}; texshot decode extracts one",
                                  Sentence(part, count)),
-                        path);
+                        inFile(path));
     const int bits = file->componentBits;
     Result<Image> image = uprightImage(*std::move(file));
     if (!image)
         return fail(image.error());
     return ReadPicture{*std::move(image), bits};
+}
+
+Json sizeJson(const glm::ivec2& size) {
+    return {{"width", size.x}, {"height", size.y}};
 }
 
 Json rectJson(const PixelRect& rect) {
@@ -113,8 +117,8 @@ std::string comparisonJson(const CompareOptions& options, const Comparison& comp
                   {"tolerance", criterion.tolerance},
                   {"share", criterion.share},
                   {"components", criterion.compared == Compared::Rgba ? "rgba" : "rgb"},
-                  {"expectedSize", {comparison.expectedSize.x, comparison.expectedSize.y}},
-                  {"actualSize", {comparison.actualSize.x, comparison.actualSize.y}}};
+                  {"expectedSize", sizeJson(comparison.expectedSize)},
+                  {"actualSize", sizeJson(comparison.actualSize)}};
     if (!note.empty())
         document["note"] = note;
     if (!options.criterion.mask.empty())

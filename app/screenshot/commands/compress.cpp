@@ -92,7 +92,7 @@ Result<Choices> choicesOf(const CompressOptions& options) {
     Choices choices;
     const EnumRow* format = formatNamed(options.format);
     if (!format)
-        return refuseChoice(fmt::format("{}", fmt::join(formatChoices(), ", ")), options.format, "--format");
+        return refuseChoice(formatChoices(), options.format, "--format");
     choices.format = static_cast<BlockFormat>(format->value);
     const Result<EncodeQuality> quality = parseChoice<EncodeQuality>(options.quality, "--quality");
     if (!quality)
@@ -106,7 +106,7 @@ Result<Choices> choicesOf(const CompressOptions& options) {
         return choices;
     const EnumRow* filter = findChoice(mipFilterRows, options.mips);
     if (!filter)
-        return refuseChoice(mipNames(), options.mips, "--mips");
+        return refuseChoice(mipChoices(), options.mips, "--mips");
     choices.mips = static_cast<MipFilter>(filter->value);
     return choices;
 }
@@ -134,7 +134,7 @@ Loss levelsLost(int levels, const Choices& choices) {
 Result<std::vector<MipChain>> picturesOf(TextureImage texture, const CompressOptions& options, bool allLevels,
                                          const std::string& in) {
     const auto refused = [&](const std::string& message) {
-        return fail(ErrorCode::Unsupported, message, inputName(in));
+        return fail(ErrorCode::Unsupported, message, inFile(inputName(in)));
     };
     const Surface& base = texture.surface(0, 0);
     if (texture.layers != 1)
@@ -217,7 +217,7 @@ Result<MadeImage> compressFile(const std::string& in, const CompressOptions& opt
     if (work.stopToken().stop_requested())
         return fail(ErrorCode::Cancelled, "compressing was stopped");
     if (!blocks)
-        return fail(blocks.error().code, blocks.error().message, inputName(in));
+        return fail(blocks.error().code, blocks.error().message, inFile(inputName(in)));
 
     TextureImage texture;
     texture.format = "DDS";

@@ -119,7 +119,7 @@ Result<std::vector<conform::Pair>> pairsOf(const ConformOptions& options) {
         return fail(ErrorCode::OutOfRange,
                     Sentence("expected a renderer other than {0}, the default of {1}", rowOf(*subject).name,
                              named ? "--renderer" : "--against"),
-                    named ? "--against" : "--renderer");
+                    atOption(named ? "--against" : "--renderer"));
     }
     if (*subject == *against)
         return fail(ErrorCode::OutOfRange,
@@ -132,7 +132,7 @@ Result<std::vector<conform::Pair>> pairsOf(const ConformOptions& options) {
 Result<std::vector<conform::Pair>> drawable(const std::vector<conform::Pair>& pairs,
                                             const view::OfferedRenderers& offered) {
     std::vector<conform::Pair> possible;
-    std::vector<std::string> reasons;
+    std::vector<Sentence> reasons;
     for (const conform::Pair& pair : pairs) {
         const RendererKind missing = offered.has(pair.subject) ? pair.against : pair.subject;
         if (offered.has(missing))
@@ -142,8 +142,8 @@ Result<std::vector<conform::Pair>> drawable(const std::vector<conform::Pair>& pa
     }
     if (possible.empty())
         return fail(ErrorCode::Unsupported, reasons.front());
-    for (const std::string& reason : reasons)
-        warn({ErrorCode::Unsupported, reason + ": it is not compared", {}});
+    for (const Sentence& reason : reasons)
+        warn({ErrorCode::Unsupported, Sentence("{0}: it is not compared", reason), {}});
     return possible;
 }
 
@@ -153,13 +153,8 @@ Result<conform::Selection> selectionOf(const ConformOptions& options) {
     int scenes = 0;
     for (const std::string& name : options.features) {
         const conform::Feature* feature = conform::findFeature(name);
-        if (!feature) {
-            std::string known;
-            for (const conform::Feature& each : conform::features())
-                known.append(known.empty() ? "" : ", ").append(each.name);
-            return fail(ErrorCode::OutOfRange, Sentence("expected one of {0}; found \"{1}\"", known, name),
-                        "--feature");
-        }
+        if (!feature)
+            return refuseChoice(namesIn(conform::features()), name, "--feature");
         if (std::ranges::find(selection.features, feature) != selection.features.end())
             continue; // named twice
         selection.features.push_back(feature);
@@ -183,7 +178,7 @@ Result<void> checkReportFolder(const std::filesystem::path& folder, const std::v
                 Sentence("expected a new folder or one with a report of texshot conform, found \"{0}\" of "
                          "something else",
                          *taken),
-                folder.string());
+                inFile(folder.string()));
 }
 
 Result<void> writeFolder(const std::filesystem::path& folder, const conform::Report& report) {

@@ -33,9 +33,10 @@ struct DecodeOptions {
 tl::unexpected<Error> outOfRange(const std::string& in, std::string_view what, int asked, int count,
                                  std::string_view owner) {
     return fail(ErrorCode::OutOfRange,
-                Sentence("there is no {0} {1}: {2} has {3}{4}", what, asked, owner, what,
-                         count == 1 ? " 0 alone" : fmt::format("s 0 to {}", count - 1)),
-                inputName(in));
+                count == 1
+                    ? Sentence("there is no {0} {1}: {2} has {0} 0 alone", what, asked, owner)
+                    : Sentence("there is no {0} {1}: {2} has {0}s 0 to {3}", what, asked, owner, count - 1),
+                inFile(inputName(in)));
 }
 
 /// A part that can be chosen, its number 0 where it isn't: then the others are lost.

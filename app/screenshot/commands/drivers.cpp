@@ -62,12 +62,12 @@ std::string driversJson(std::span<const DriverAnswer> answers, bool extensions) 
     for (const DriverAnswer& each : answers) {
         nlohmann::ordered_json context{{"context", each.context.text()}, {"usable", canDraw(each)}};
         if (!each.report) {
-            context["error"] = messageJson(each.report.error().message);
+            context["error"] = problemJson(each.report.error());
         } else {
             const DriverReport& report = *each.report;
             if (!report.lack.empty())
-                context["error"] = messageJson(report.lack);
-            context["renderer"] = report.renderer;
+                context["error"] = problemJson({ErrorCode::Unsupported, report.lack, {}});
+            context["driver"] = report.renderer;
             context["vendor"] = report.vendor;
             context["version"] = report.version;
             context["shadingLanguage"] = report.shadingLanguage;

@@ -39,7 +39,7 @@ Result<void> checkCMakeName(const std::string& out) {
     return fail(ErrorCode::OutOfRange,
                 Sentence("expected letters, digits, _ or - and .c, as CMake reads the name, found \"{0}\"",
                          file.string()),
-                "--out");
+                atOption("--out"));
 }
 
 /// Whether other files can be written next to the program. The error names an option.
@@ -48,9 +48,10 @@ Result<void> checkFilesBeside(const EmitOptions& options) {
         return {};
     if (options.files && options.scene.lesson.empty())
         return fail(ErrorCode::OutOfRange, "only the files of a lesson are written next to a program",
-                    "--files");
+                    atOption("--files"));
     if (isStandardOutput(options.out))
-        return fail(ErrorCode::OutOfRange, "expected a file name, to write other files next to it", "--out");
+        return fail(ErrorCode::OutOfRange, "expected a file name, to write other files next to it",
+                    atOption("--out"));
     if (const Result<void> named = options.cmake ? checkCMakeName(options.out) : Result<void>(); !named)
         return named;
     std::error_code ignored;
@@ -58,7 +59,7 @@ Result<void> checkFilesBeside(const EmitOptions& options) {
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
         return fail(ErrorCode::OutOfRange,
                     Sentence("expected a file, to write other files next to it, found \"{0}\"", options.out),
-                    "--out");
+                    atOption("--out"));
     return {};
 }
 
@@ -73,7 +74,8 @@ Result<void> writeBeside(const std::string& program, const Output& out, const st
         std::error_code ignored;
         if (place == std::filesystem::path(program) ||
             equivalent(place, std::filesystem::path(program), ignored))
-            return fail(ErrorCode::Unwritable, "is the name of a file to write next to the program", program);
+            return fail(ErrorCode::Unwritable, "is the name of a file to write next to the program",
+                        inFile(program));
         const Result<Bytes> there = readFile(place, each.bytes.size());
         if (!there && there.error().code == ErrorCode::NotFound)
             missing.push_back({each.name, each.bytes});
@@ -83,7 +85,7 @@ Result<void> writeBeside(const std::string& program, const Output& out, const st
             return fail(
                 ErrorCode::Unwritable,
                 "is there already, and is not the file to write next to the program: choose another folder",
-                place.string());
+                inFile(place.string()));
     }
     if (!missing.empty()) {
         std::optional<Uninterrupted> placing;

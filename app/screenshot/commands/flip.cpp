@@ -51,7 +51,7 @@ Result<MadeImage> flipFile(const std::string& in, const FlipOptions& options) {
                     wouldLose ? Sentence("{0}; --lossy decompresses it and compresses it again",
                                          turned.error().message)
                               : turned.error().message,
-                    inputName(in));
+                    inFile(inputName(in)));
     }
     return MadeImage{*std::move(texture)};
 }

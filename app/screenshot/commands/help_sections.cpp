@@ -132,8 +132,8 @@ const std::vector<CommandTable>& commandTables() {
            {"counts, status", "The number of cases in each state, and the exit status."},
            {"names", "The cases of this part, run or not."},
            {"cases",
-            "For each: name, state, sentence, explanation, seconds, attempt, signal, renderer, driver, "
-            "size, time and golden; settings, the variables for the driver's precision; expectedPicture, "
+            "For each: name, state, sentence, code (the kind of an error), explanation, seconds, attempt, signal, "
+            "renderer, driver, width, height, time and golden; settings, the variables for the driver's precision; expectedPicture, "
             "actualPicture and differencePicture in the report's folder; worst, the pixel; fingerprint; "
             "and the following."},
            measured,
@@ -183,13 +183,14 @@ const std::vector<CommandTable>& commandTables() {
         {"drivers",
          {"What --json prints",
           {},
-          {{"context", "Its name, usable and, if it can't draw, error; renderer, vendor, version, "
+          {{"context", "Its name, usable and, if it can't draw, error; driver, vendor, version, "
                        "shadingLanguage, profile, maxTextureSize, maxAnisotropy, s3tc, textureBorders, "
                        "extensionCount; with --extensions, extensions."}}}},
         {"conform",
          {"What --json prints",
           {},
-          {{"program, command, driver, seed, scenes, extent", "The scenes and drivers."},
+          {{"program, command, driver, version, settings, seed, scenes, width, height",
+            "The driver and the scenes."},
            {"compared, agrees", "Whether anything was compared, and whether all of it agrees."},
            {"pairs",
             "For two renderers, renderer and against: agrees, and features (feature, sweeps, section, "
@@ -199,7 +200,7 @@ const std::vector<CommandTable>& commandTables() {
         {"probe",
          {"What --json prints",
           {},
-          {{"at, window, size, time",
+          {{"at, window, width, height, time",
             "The pixel, from the upper left and as OpenGL counts, and the picture."},
            {"reference, fixed, shader", "Its colour by the specification and by each renderer."},
            {"asRight", "Other correct colours, if a coordinate or the level of detail is on a tie."},

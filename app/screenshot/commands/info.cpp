@@ -196,7 +196,7 @@ Examined examine(const std::string& in) {
         examined.text = factsAsText(name, *texture, bytes->size());
         examined.document.update(factsAsJson(*texture, bytes->size()));
     } else {
-        examined.error = Error{texture.error().code, texture.error().message, name};
+        examined.error = Error{texture.error().code, texture.error().message, inFile(name)};
     }
     if (!anatomy.fields.empty())
         examined.text += anatomyAsText(anatomy);

@@ -131,13 +131,14 @@ std::vector<Error> checkCatalogues(const lesson::LessonFolder& folder, const les
         const std::set<std::string> keys = (*catalogue)->keys();
         for (const std::string& text : texts) {
             if (hasLetters(text) && !keys.contains(text))
-                problems.push_back(
-                    {ErrorCode::NotFound, Sentence("expected a translation of {0}", inQuotes(text)), file});
+                problems.push_back({ErrorCode::NotFound,
+                                    Sentence("expected a translation of {0}", inQuotes(text)), inFile(file)});
         }
         for (const std::string& key : keys) {
             if (!texts.contains(key))
                 problems.push_back({ErrorCode::NotFound,
-                                    Sentence("the lesson no longer has the text {0}", inQuotes(key)), file});
+                                    Sentence("the lesson no longer has the text {0}", inQuotes(key)),
+                                    inFile(file)});
         }
     }
     return problems;
@@ -150,9 +151,9 @@ ExitCode check(const std::string& path, bool json) {
         return complain(found.error());
     std::vector<Error> problems = checkLesson(folder, *found);
     std::ranges::move(checkCatalogues(folder, *found), std::back_inserter(problems));
-    const std::string file = (folder.path() / lesson::lessonFileName).string();
+    const std::string file = folder.placeOf(lesson::lessonFileName);
     for (const Error& problem : problems)
-        (void)complain({problem.code, describe(problem), file});
+        (void)complain(within(inFile(file), problem));
     if (!problems.empty() && !json)
         return failure;
     const std::size_t steps = found->steps.size();
@@ -185,7 +186,7 @@ Result<ui::LanguageRow> languageNamed(const std::string& name) {
     const std::vector<std::string> names = pageLanguages();
     if (std::ranges::find(names, name) != names.end())
         return *std::ranges::find(ui::languageRows, name, &ui::LanguageRow::name);
-    return refuseChoice(fmt::format("{}", fmt::join(names, ", ")), name, "--language");
+    return refuseChoice(names, name, "--language");
 }
 
 /// With commas between them, but for a folder that has one in its name.
@@ -212,7 +213,7 @@ Result<std::vector<lesson::LessonFolder>> foldersOfPage(const LessonsOptions& op
          options.lessons.empty() ? lesson::builtInLessons() : namedIn(options.lessons)) {
         Result<lesson::LessonFolder> folder = lessonFolder(name);
         if (!folder)
-            return fail(folder.error().code, folder.error().message, "--lesson");
+            return fail(folder.error().code, folder.error().message, atOption("--lesson"));
         folders.push_back(*std::move(folder));
     }
     return folders;
@@ -262,7 +263,7 @@ ExitCode lessons(const LessonsOptions& options) {
         std::array{options.checkOption, options.pageOption, options.templateOption}, &Option::isGiven);
     if (given > 1)
         return complain({ErrorCode::OutOfRange, N_("expected one of --check, --page and --template"),
-                         "--check, --page, --template"},
+                         atOption("--check, --page, --template")},
                         wrongCall);
     if (options.templateOption->isGiven())
         return writeTemplate(options.translated);

@@ -54,7 +54,7 @@ Result<std::vector<suite::RunRecord>> readRuns(const std::vector<std::string>& p
         Result<suite::RunRecord> run =
             suite::parseRun({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
         if (!run)
-            return fail(run.error().code, describe(run.error()), inputName(path));
+            return fail(within(inFile(inputName(path)), run.error()));
         runs.push_back(*std::move(run));
     }
     return runs;
@@ -133,7 +133,7 @@ Result<void> writeDurations(const suite::RunRecord& run, const std::string& path
     Result<suite::Durations> before =
         text ? suite::parseDurations(*text) : Result<suite::Durations>(suite::Durations{});
     if (!before)
-        return fail(before.error().code, describe(before.error()), path);
+        return fail(within(inFile(path), before.error()));
     const std::string now = suite::writeDurations(suite::durationsOf(run, *std::move(before)));
     return writeText(path, now);
 }

@@ -33,13 +33,13 @@ struct ProbeOptions {
 Result<reference::PixelPlace> parsePlace(std::string_view text, view::Size size) {
     std::array<int, 2> place{};
     if (!parseNumbers(text, place))
-        return fail(ErrorCode::OutOfRange, Sentence("expected X,Y, found \"{0}\"", text), "--at");
+        return fail(ErrorCode::OutOfRange, Sentence("expected X,Y, found \"{0}\"", text), atOption("--at"));
     const auto& [x, y] = place;
     if (x < 0 || y < 0 || x >= size.width || y >= size.height)
         return fail(ErrorCode::OutOfRange,
                     Sentence("expected a pixel from 0,0 to {0},{1}, found {2}", size.width - 1,
                              size.height - 1, text),
-                    "--at");
+                    atOption("--at"));
     return reference::PixelPlace{x, size.height - 1 - y};
 }
 
@@ -48,7 +48,7 @@ Result<reference::TexelQuestion> parseTexel(std::string_view text, int pass) {
     const bool volume = parseNumbers(text, numbers);
     if (!volume && (numbers = {}, !parseNumbers(text, std::span(numbers).first(4))))
         return fail(ErrorCode::OutOfRange, Sentence("expected UNIT,LEVEL,I,J, found \"{0}\"", text),
-                    "--texel");
+                    atOption("--texel"));
     return reference::TexelQuestion{
         pass, numbers[0], {numbers[1], {numbers[2], numbers[3], volume ? numbers[4] : 0}}};
 }
@@ -94,9 +94,13 @@ ExitCode probePixel(const ProbeOptions& options, ShotRequest request) {
     const std::vector<ReadBack> readBacks =
         options.withoutGl ? std::vector<ReadBack>() : readBack(std::move(request), *pixel, problems);
     complainAbout(problems);
+    const bool isDrawn = options.withoutGl || std::ranges::any_of(readBacks, [](const ReadBack& each) {
+                             return each.bytes.has_value();
+                         });
+    const ExitCode status = isDrawn ? success : complain(readBacks.front().bytes.error());
     const Result<void> printed =
         print(options.json ? asJson(*explanation, readBacks) : asText(*explanation, readBacks));
-    return printed ? success : complain(printed.error());
+    return printed ? status : complain(printed.error());
 }
 
 /// The option that asks for what the scene lacks; empty: the error is about something else.
@@ -115,8 +119,9 @@ ExitCode findPixels(const ProbeOptions& options, const ShotRequest& request) {
     if (!found) {
         const Error& error = found.error();
         const std::string_view option = optionAtFault(options, request.scene, error);
-        return option.empty() ? complain(error)
-                              : complain({error.code, error.message, std::string(option)}, wrongCall);
+        return option.empty()
+                   ? complain(error)
+                   : complain({error.code, error.message, atOption(std::string(option))}, wrongCall);
     }
     complainAbout(found->problems);
     const Result<void> printed =

@@ -23,6 +23,7 @@ namespace texplorer::screenshot {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 struct SceneOptions {
     SceneArgument scene;
@@ -58,12 +59,13 @@ void warnOfLostFiles(const Scene& scene, const ImageSource& images) {
     for (const std::string& file : filesOf(scene))
         if (images.fileInMemory(file))
             warn({ErrorCode::NotFound,
-                  N_("is an image of the lesson and not in a folder; the scene names it anyway"), file});
+                  N_("is an image of the lesson and not in a folder; the scene names it anyway"),
+                  inFile(file)});
 }
 
 /// What leads from one scene to another: what --set can do, and what it can't.
 struct Edits {
-    std::vector<std::string> sets; ///< "textures[0].wrapS=GL_CLAMP"
+    std::vector<std::pair<std::string, std::string>> sets; ///< parameters and their values
     std::vector<SceneChange> lengths;
 };
 
@@ -77,15 +79,15 @@ Result<Edits> editsBetween(const Scene& from, const Scene& to) {
         const Result<std::string> value = getParam(to, change.path);
         if (!value)
             return fail(value.error());
-        edits.sets.push_back(change.path + "=" + *value);
+        edits.sets.emplace_back(change.path, *value);
     }
     return edits;
 }
 
 std::string editsJson(const Edits& edits) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const std::string& set : edits.sets)
-        list.push_back({{"set", set}});
+    Json list = Json::array();
+    for (const auto& [path, value] : edits.sets)
+        list.push_back({{"set", {{path, value}}}});
     for (const SceneChange& each : edits.lengths)
         list.push_back({{"path", each.path}, {"from", each.from.english()}, {"to", each.to.english()}});
     return documentText(std::move(list));
@@ -93,8 +95,8 @@ std::string editsJson(const Edits& edits) {
 
 std::string editsText(const Edits& edits) {
     std::string text;
-    for (const std::string& set : edits.sets)
-        text += fmt::format("--set {}\n", shellWord(set));
+    for (const auto& [path, value] : edits.sets)
+        text += fmt::format("--set {}\n", shellWord(path + "=" + value));
     return text;
 }
 
@@ -123,7 +125,7 @@ ExitCode writeTo(const SceneOptions& options, OpenedScene opened) {
              Sentence("a scene is JSON: expected a name that ends in .json, found \"{0}\"; \"texshot shot\" "
                       "draws a picture",
                       options.out),
-             "--out"},
+             atOption("--out")},
             wrongCall);
     SceneArgument read = options.scene;
     if (options.inPlace)
@@ -135,17 +137,22 @@ ExitCode writeTo(const SceneOptions& options, OpenedScene opened) {
     nameFilesFrom(opened.scene, opened.images, printed ? fs::path() : fs::path(options.out).parent_path());
     warnOfLostFiles(opened.scene, opened.images);
     const std::string text = options.isShort ? writeShortScene(opened.scene) : writeScene(opened.scene);
-    const Result<void> written =
-        printed ? print(text) : Output::open(options.out).and_then([&](const Output& out) {
-            return out.write(viewBytes(text));
-        });
+    Result<void> written;
+    if (!printed)
+        written =
+            Output::open(options.out).and_then([&](const Output& out) { return out.write(viewBytes(text)); });
+    else if (!options.json)
+        written = print(text);
+    if (written && options.json)
+        written = print(documentText(
+            Json::array({{{"file", printed ? Json() : Json(options.out)}, {"scene", Json::parse(text)}}})));
     return written ? success : complain(written.error());
 }
 
 /// With --in-place what is read is what is written.
 Result<SceneOptions> placed(SceneOptions options) {
     if (options.inPlace && (options.scene.file.empty() || isStandardInput(options.scene.file)))
-        return fail(ErrorCode::OutOfRange, "expected SCENE, a file to overwrite", "--in-place");
+        return fail(ErrorCode::OutOfRange, "expected SCENE, a file to overwrite", atOption("--in-place"));
     if (options.inPlace)
         options.out = options.scene.file;
     return options;
@@ -159,8 +166,6 @@ int sceneCommand(const SceneOptions& given) {
     const bool compares = !options.from.empty();
     if (const Result<void> once = checkStandardInputOnce(std::array{options.scene.file, options.from}); !once)
         return complain(once.error(), wrongCall);
-    if (options.json && !compares)
-        noteUnused("--json", "a scene is JSON already; it needs --diff");
     auto opened = openScene(options.scene);
     if (!opened)
         return complain(opened.error().error, compares ? wrongCall : opened.error().code);
@@ -173,9 +178,8 @@ void addScene(CommandLine& line) {
     Command& command = line.command("scene", "Write a scene, with changes, as a file with every parameter.");
     auto options = std::make_shared<SceneOptions>();
     addSceneOrLessonArgument(command, options->scene);
-    const Option& isShort =
-        command.flag("--short", options->isShort,
-                     "Only parameters that differ from the initial values: the shortest file of the scene.");
+    command.flag("--short", options->isShort,
+                 "Only parameters that differ from the initial values: the shortest file of the scene.");
     const Option& out =
         command.option("-o,--out", options->out,
                        "The scene file to write; - for standard output, the default. Images are named "
@@ -192,9 +196,8 @@ void addScene(CommandLine& line) {
         {.value = "FROM", .excludes = &out});
     command.flag(
         "--json", options->json,
-        "With --diff, as JSON, for programs: set (PATH=VALUE) of each edit, or path, from and to of lists of different "
-        "lengths.",
-        {.excludes = &isShort});
+        "The scene within the document for programs, which is no scene file: file, null for standard output, and "
+        "scene. With --diff: set of each edit, or path, from and to of lists of different lengths.");
     command.usage({"[SCENE]", "SCENE --in-place", "--diff FROM [SCENE]"});
     command.footer(
         "Exit status: 0 done, 1 the scene can't be read or written, 2 invalid arguments. With --diff: 0 "

@@ -16,9 +16,9 @@ struct SchemaOptions {
 
 ExitCode writeSchema(const SchemaOptions& options) {
     if (options.ofSuites && options.ofOutputs)
-        return complain(
-            {ErrorCode::OutOfRange, N_("expected one of --suites and --outputs"), "--suites, --outputs"},
-            wrongCall);
+        return complain({ErrorCode::OutOfRange, N_("expected one of --suites and --outputs"),
+                         atOption("--suites, --outputs")},
+                        wrongCall);
     const Result<Output> output = Output::open(options.out);
     if (!output)
         return complain(output.error());

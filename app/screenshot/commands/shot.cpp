@@ -69,7 +69,7 @@ Result<void> checkUse(const ShotOptions& options, const ShotRequest& request,
                       std::span<const RendererKind> renderers) {
     const auto isReference = [](RendererKind renderer) { return renderer == RendererKind::Reference; };
     if (options.shownOption->isGiven() && !request.window && !std::ranges::all_of(renderers, isReference))
-        return fail(ErrorCode::OutOfRange, "requires --renderer reference or --ui", "--show");
+        return fail(ErrorCode::OutOfRange, "requires --renderer reference or --ui", atOption("--show"));
     noteMethodsUse(options.picture, request.window || std::ranges::any_of(renderers, isReference));
     if (!request.window)
         noteRendererUse(options.renderer, renderers, orWindow);
@@ -102,7 +102,8 @@ Result<void> checkShown(const ShotOptions& options, const Scene& scene) {
     if (pass == 0 || pass < scene.passes.size())
         return {};
     return fail(ErrorCode::OutOfRange,
-                Sentence("there is no pass {0}, the scene has {1}", pass, scene.passes.size()), "--pass");
+                Sentence("there is no pass {0}, the scene has {1}", pass, scene.passes.size()),
+                atOption("--pass"));
 }
 
 ExitCode shootOne(const ShotOptions& options, const std::string& name, ShotRequest request,
@@ -171,7 +172,7 @@ ExitCode shootAll(const ShotOptions& options, const NamePattern& pattern, Pictur
                          Sentence("expected a name that differs for each picture, as in {0} or "
                                   "{{number}}.png, found \"{1}\"",
                                   nameForSeveral(options), options.out),
-                         "--out"},
+                         atOption("--out")},
                         wrongCall);
     const Result<const CodecRow*> format = imageFormatOf(options.out, {});
     if (!format)
@@ -222,7 +223,7 @@ ExitCode shoot(const ShotOptions& options, ShotReport* report) {
         return complain(used.error(), wrongCall);
     const Result<NamePattern> pattern = NamePattern::parse(options.out);
     if (!pattern)
-        return complain({pattern.error().code, pattern.error().message, "--out"}, wrongCall);
+        return complain({pattern.error().code, pattern.error().message, atOption("--out")}, wrongCall);
     PictureKinds kinds{*std::move(renderers), *std::move(sizes), *std::move(times)};
     request->renderer = kinds.renderers.front();
     if (options.files.size() > 1 || !options.axes.empty() || kinds.count() > 1 || !pattern->places().empty())
@@ -284,9 +285,10 @@ void addShot(CommandLine& line) {
                     "'out/{{scene}}-{{minFilter}}.png', whose folder is created; {{{{ is a brace.",
                     writtenExtensions(" or ")),
         {.value = "FILE", .required = true});
-    command.flag("--json", options->json,
-                 "Print the result as JSON, for programs: for each picture file, scene, axes, size, time, "
-                 "renderer, driver, context and warnings, or its error.");
+    command.flag(
+        "--json", options->json,
+        "Print the result as JSON, for programs: for each picture file, scene, values of the axes, width, "
+        "height, time, renderer, driver, version, context and warnings, or its error.");
     command.footer(fmt::format(
         "One call draws at most {} pictures. If a scene can't be read or drawn, its error is reported and "
         "the others continue; if a file can't be written, the call ends.\n"

@@ -74,10 +74,10 @@ tl::expected<Sweep, SceneProblem> sweepOf(const SweepOptions& options) {
     if (!labels)
         return wrong(labels.error());
     if (!options.difference.empty() && options.difference != firstPicture)
-        return wrong(refuseChoice(firstPicture, options.difference, "--difference").value());
+        return wrong(refuseChoice({firstPicture}, options.difference, "--difference").value());
     Result<NamePattern> pattern = NamePattern::parse(options.out);
     if (!pattern)
-        return wrong({pattern.error().code, pattern.error().message, "--out"});
+        return wrong({pattern.error().code, pattern.error().message, atOption("--out")});
     auto opened = openScene(options.scene);
     if (!opened)
         return tl::unexpected(opened.error());
@@ -106,7 +106,7 @@ Result<void> checkSheets(const Sweep& sweep, const std::string& out) {
             Sentence("expected at most {0} axes, down, across and pages, found {1}; a name with a place "
                      "for each of them writes single pictures",
                      maxSweepAxes, sweep.axes.size()),
-            "--axis");
+            atOption("--axis"));
     const std::array<std::string_view, 4> fixedPlaces{"scene", "renderer", "time", "size"};
     for (const std::string& place : sweep.pattern.places()) {
         const bool ofPages =
@@ -118,7 +118,7 @@ Result<void> checkSheets(const Sweep& sweep, const std::string& out) {
                 Sentence("expected {{page}}, {{scene}}, {{renderer}}, {{time}}, {{size}}{0} for sheets, "
                          "or a place of every axis for single pictures, found {{{1}}}",
                          sweep.hasPages() ? " or " + placeOf(sweep.axes.back()) : std::string(), place),
-                "--out");
+                atOption("--out"));
     }
     if (sweep.pageCount() > 1 && !sweep.hasPlace(pagePlace) && !sweep.hasPlaceOf(sweep.axes.back()))
         return fail(
@@ -126,7 +126,7 @@ Result<void> checkSheets(const Sweep& sweep, const std::string& out) {
             Sentence("expected a name that differs for each of {0} pages, as in sheet-{{page}}.png or "
                      "{1}.png, found \"{2}\"",
                      sweep.pageCount(), placeOf(sweep.axes.back()), out),
-            "--out");
+            atOption("--out"));
     return {};
 }
 
@@ -188,7 +188,7 @@ tl::expected<std::vector<ImageOutput>, ExitCode> outputsOf(const SweepOptions& o
                           Sentence("expected a name for each page, found \"{0}\" for two; {{page}} in it "
                                    "makes them different",
                                    name),
-                          "--out"},
+                          atOption("--out")},
                          wrongCall));
         names.push_back(std::move(name));
     }
@@ -222,12 +222,15 @@ ExitCode sweepIntoSheets(const SweepOptions& options, const Sweep& sweep,
         return complain(sheets.error(), wrongCall);
     const ShotList list = shotsOf(options, sweep, true);
     if (list.count() > sheet::maxPictures)
-        return complain({ErrorCode::TooLarge,
-                         Sentence("expected at most {0} pictures on the sheets of a call, found {1}{2}",
-                                  sheet::maxPictures, list.count() > maxShots ? "more than " : "",
-                                  std::min(list.count(), maxShots)),
-                         "--axis"},
-                        wrongCall);
+        return complain(
+            {ErrorCode::TooLarge,
+             list.count() > maxShots
+                 ? Sentence("expected at most {0} pictures on the sheets of a call, found more than {1}",
+                            sheet::maxPictures, maxShots)
+                 : Sentence("expected at most {0} pictures on the sheets of a call, found {1}",
+                            sheet::maxPictures, list.count()),
+             atOption("--axis")},
+            wrongCall);
     const Result<std::unique_ptr<sheet::Lettering>> lettering = openLettering();
     if (!lettering)
         return complain(lettering.error());
@@ -235,7 +238,7 @@ ExitCode sweepIntoSheets(const SweepOptions& options, const Sweep& sweep,
     for (std::size_t page = 0; page < sweep.pageCount(); ++page) {
         Result<sheet::Layout> layout = layoutOfPage(options, sweep, page, **lettering);
         if (!layout)
-            return complain({layout.error().code, layout.error().message, "--size"}, wrongCall);
+            return complain({layout.error().code, layout.error().message, atOption("--size")}, wrongCall);
         layouts.push_back(*std::move(layout));
     }
     auto outputs = outputsOf(options, sweep);
@@ -268,7 +271,7 @@ ExitCode sweepIntoSheets(const SweepOptions& options, const Sweep& sweep,
 ExitCode sweepIntoFiles(const SweepOptions& options, const Sweep& sweep, ShotReport* report) {
     if (!options.difference.empty())
         return complain({ErrorCode::OutOfRange, N_("expected a name for sheets: it applies to sheets only"),
-                         "--difference"},
+                         atOption("--difference")},
                         wrongCall);
     if (options.labelsOption->isGiven())
         noteUnused("--labels", "it applies to sheets only");

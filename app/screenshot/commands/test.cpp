@@ -103,7 +103,7 @@ Result<RunChoice> choiceFor(const TestOptions& options) {
     if (!options.shard.empty()) {
         const Result<suite::Shard> shard = suite::parseShard(options.shard);
         if (!shard)
-            return fail(shard.error().code, shard.error().message, "--shard");
+            return fail(shard.error().code, shard.error().message, atOption("--shard"));
         choice.shard = *shard;
     }
     if (!options.durations.empty()) {
@@ -113,7 +113,7 @@ Result<RunChoice> choiceFor(const TestOptions& options) {
         const Result<suite::Durations> durations =
             text ? suite::parseDurations(*text) : Result<suite::Durations>(suite::Durations{});
         if (!durations)
-            return fail(durations.error().code, describe(durations.error()), options.durations);
+            return fail(within(inFile(options.durations), durations.error()));
         choice.durations = *durations;
     }
     if (!options.accepted.empty()) {
@@ -242,14 +242,6 @@ Result<void> writeResults(const FinishedRun& finished, const ResultFiles& files,
     return durations->write(viewBytes(text));
 }
 
-ExitCode list(const PlannedRun& planned) {
-    std::string text;
-    for (const RunItem& each : planned.items)
-        text += printable(each.name) + "\n";
-    const Result<void> printed = print(text);
-    return printed ? success : complainOfRun(printed.error());
-}
-
 /// The files that the call names, and those of its report.
 std::vector<NamedOutput> outputsOfTest(const TestOptions& options) {
     std::vector<NamedOutput> outputs{{"--json", options.json}, {"--junit", options.junit}};
@@ -282,6 +274,39 @@ Result<void> checkRunApart(const TestOptions& options, const PlannedRun& planned
     return checkOutputsApart(outputs, files.read);
 }
 
+nlohmann::ordered_json itemJson(const PlannedRun& planned, const RunItem& item) {
+    nlohmann::ordered_json json{{"name", item.name}};
+    if (planned.plan.cases.empty())
+        return json; // two pictures
+    const suite::Case& of = planned.plan.cases[item.number];
+    json["suite"] = planned.plan.suiteOf(of).name;
+    json["renderer"] = rowOf(of.renderer).name;
+    json["width"] = of.size.width;
+    json["height"] = of.size.height;
+    json["time"] = of.time;
+    return json;
+}
+
+ExitCode list(const TestOptions& options, const PlannedRun& planned) {
+    std::string text;
+    nlohmann::ordered_json listed = nlohmann::ordered_json::array();
+    for (const RunItem& each : planned.items) {
+        text += printable(each.name) + "\n";
+        listed.push_back(itemJson(planned, each));
+    }
+    if (options.json.empty()) {
+        const Result<void> printed = print(text);
+        return printed ? success : complainOfRun(printed.error());
+    }
+    const RunFiles files = filesOfRun(planned);
+    Result<void> written = checkOutputsApart(std::array{NamedOutput{"--json", options.json}}, files.read);
+    if (written)
+        written = Output::open(options.json).and_then([&](const Output& output) {
+            return output.write(viewBytes(documentText(std::move(listed))));
+        });
+    return written ? success : complainOfRun(written.error());
+}
+
 /// The folders of --pictures: both by their names, or both without, in the order of "texshot compare".
 Result<void> checkFolders(const TestOptions& options) {
     const bool named = !options.expected.empty() || !options.actual.empty();
@@ -294,13 +319,13 @@ Result<void> checkFolders(const TestOptions& options) {
         return fail(ErrorCode::OutOfRange,
                     "expected two folders, the goldens and the pictures: EXPECTED ACTUAL, or --expected "
                     "DIR --actual DIR",
-                    "--pictures");
+                    atOption("--pictures"));
     if (!named && (options.update || !options.accepted.empty()))
         return fail(
             ErrorCode::OutOfRange,
             "expected --expected DIR and --actual DIR when goldens are written, so that the folders can't "
             "be confused",
-            options.update ? "--update" : "--accept");
+            atOption(options.update ? "--update" : "--accept"));
     return {};
 }
 
@@ -311,7 +336,7 @@ ExitCode refuseOptions(const TestOptions& options) {
         return complainOfRun(
             {ErrorCode::OutOfRange,
              N_("expected a file or a folder, which several processes can read; found standard input"),
-             "SUITE"});
+             atOption("SUITE")});
     for (const Option* each : options.ofSuites) {
         if (options.pictures && each->isGiven())
             noteUnused(each->name(), "--pictures draws nothing");
@@ -328,7 +353,7 @@ ExitCode refuseOptions(const TestOptions& options) {
         return complainOfRun({ErrorCode::OutOfRange,
                               Sentence("expected the folder of --report, {0}, or --resume alone, found {1}",
                                        inQuotes(options.report), inQuotes(options.resume)),
-                              "--resume"});
+                              atOption("--resume")});
     return success;
 }
 
@@ -372,7 +397,7 @@ ExitCode test(const TestOptions& options, bool& tellsErrors) {
     if (!planned)
         return complainOfRun(planned.error());
     if (options.list)
-        return list(*planned);
+        return list(options, *planned);
     planned->run.command = partOf(options, commandOf(options));
     if (const Result<void> apart = checkRunApart(options, *planned); !apart) {
         tellsErrors = false;
@@ -470,12 +495,12 @@ void declareRunning(Command& command, TestOptions& options) {
     running(report);
     running(command.option("--junit", options.junit, "The result as JUnit's XML; - for standard output.",
                            {.value = "FILE"}));
-    running(command.option(
+    command.option(
         "--json", options.json,
-        "The result as JSON; - for standard output. For a compared case: \"pixels\", of these \"over\" the "
+        "The result as JSON, or with --list the cases; - for standard output. For a compared case: \"pixels\", of these \"over\" the "
         "tolerance, of these \"unexplained\" by its rule, if any; \"share\" is the allowed share of pixels "
         "over, or unexplained with a rule.",
-        {.value = "FILE"}));
+        {.value = "FILE"});
     const Option& resume = command.option(
         "--resume", options.resume,
         "Continue an interrupted or killed run with a report in this folder: cases in its journal aren't "

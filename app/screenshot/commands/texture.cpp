@@ -49,7 +49,7 @@ Result<Image> stepOf(const TextureOptions& options, const Texture& texture, cons
                 Sentence("there is no step {0}: textures[{1}] has {2} in its preparation", options.step,
                          options.texture,
                          Sentence::plural("{0} step", "{0} steps", texture.preparation.size())),
-                "--step");
+                atOption("--step"));
 }
 
 /// A level as OpenGL is given it, but upright and decompressed.
@@ -64,7 +64,7 @@ Result<Image> levelOf(const TextureOptions& options, Texture texture, const Text
         return fail(ErrorCode::OutOfRange,
                     Sentence("there is no level {0}: textures[{1}] has {2}", asked, options.texture,
                              Sentence::plural("{0} level", "{0} levels", made->levels.size())),
-                    "--level");
+                    atOption("--level"));
     return toImage(std::move(found->surface).take());
 }
 
@@ -73,7 +73,9 @@ Result<Image> pictureOf(const TextureOptions& options, OpenedScene& opened) {
         return fail(ErrorCode::OutOfRange,
                     Sentence("there is no textures[{0}]: the scene has {1}", options.texture,
                              Sentence::plural("{0} texture", "{0} textures", opened.scene.textures.size())),
-                    opened.scene.textures.empty() ? "" : "--texture"); // of such a scene no number is right
+                    opened.scene.textures.empty()
+                        ? Location()
+                        : atOption("--texture")); // of such a scene no number is right
     if (const auto loaded = opened.images.load(opened.scene); !loaded)
         return fail(loaded.error());
     const Texture& texture = opened.scene.textures[static_cast<std::size_t>(options.texture)];
@@ -106,7 +108,7 @@ ExitCode writeTexture(const TextureOptions& options) {
     if (!options.json)
         return success;
     const Result<void> printed =
-        print(documentText(nlohmann::ordered_json::array({{{"output", options.out},
+        print(documentText(nlohmann::ordered_json::array({{{"file", options.out},
                                                            {"format", output->format->name},
                                                            {"texture", options.texture},
                                                            {"width", widthOf(made.surface(0, 0))},

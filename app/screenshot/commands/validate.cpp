@@ -8,6 +8,7 @@
 #include "texplorer/scene/params/json.h"
 #include "texplorer/suite/plan.h"
 #include "texplorer/suite/record_json.h"
+#include "texplorer/text/json_encoding.h"
 #include "texplorer/text/printable.h"
 
 #include <fmt/core.h>
@@ -28,8 +29,8 @@ constexpr std::size_t maxFaults = 100; // of a scene
 /// What a file is held to be, and what is wrong with it.
 struct Validity {
     std::string file;
-    std::string kind; ///< "PNG", "scene", "suite", "run"; empty: it couldn't be told
-    std::vector<Sentence> faults{};
+    std::string kind; ///< "PNG", "scene", "suite", "run", "output"; empty: it couldn't be told
+    std::vector<Error> faults{};
     std::vector<Sentence> remarks{}; ///< what is right and Texplorer doesn't follow
     bool drawn = true;               ///< false: an image that isn't decoded
     bool read = true;                ///< false: standard error says why not
@@ -37,9 +38,9 @@ struct Validity {
     [[nodiscard]] bool isValid() const { return faults.empty(); }
 };
 
-void addOnce(std::vector<Sentence>& faults, Sentence fault) {
-    if (std::ranges::find(faults, fault) == faults.end())
-        faults.push_back(std::move(fault));
+void addOnce(std::vector<Error>& faults, Sentence fault) {
+    if (std::ranges::find(faults, fault, &Error::message) == faults.end())
+        faults.push_back({ErrorCode::Malformed, std::move(fault), {}});
 }
 
 /// Of an image that isn't decoded: what is wrong with it, or why it isn't. What is merely larger than
@@ -52,11 +53,14 @@ void addRefusal(ByteView file, const Error& refusal, Validity& validity) {
         limits.pixels = false;
         if (const Result<TextureImage> outline = decodeTexture(file, limits); !outline) {
             const bool isTooLarge = outline.error().code == ErrorCode::TooLarge;
-            validity.faults.push_back((isTooLarge ? refusal : outline.error()).message);
+            validity.faults.push_back(isTooLarge ? refusal : outline.error());
             return;
         }
     }
-    (refusal.code == ErrorCode::Malformed ? validity.faults : validity.remarks).push_back(refusal.message);
+    if (refusal.code == ErrorCode::Malformed)
+        validity.faults.push_back(refusal);
+    else
+        validity.remarks.push_back(refusal.message);
 }
 
 /// All that the decoder refuses or notes, and all that looks wrong in a field. What it only doesn't know or
@@ -152,16 +156,17 @@ bool isTooDeep(std::string_view text) {
 
 /// Reading a scene ends with its first fault: it is read again without what was at fault, as long as that is
 /// a member, and the text is neither long nor deep.
-std::vector<Sentence> sceneFaults(std::string_view text) {
+std::vector<Error> sceneFaults(std::string_view text) {
     constexpr std::size_t maxReadBytes = std::size_t{1} << 20;
-    std::vector<Sentence> faults;
+    std::vector<Error> faults;
     PlainJson document;
     std::string left;
     for (Result<Scene> scene = parseScene(text); !scene; scene = parseScene(left)) {
-        faults.push_back(describe(scene.error()));
+        faults.push_back(scene.error());
         if (faults.size() == 1 && text.size() <= maxReadBytes && !isTooDeep(text))
             document = PlainJson::parse(text, nullptr, false);
-        if (!document.is_object() || faults.size() == maxFaults || !takeAway(document, scene.error().where))
+        if (!document.is_object() || faults.size() == maxFaults ||
+            !takeAway(document, scene.error().where.text()))
             break;
         left = document.dump(-1, ' ', false, PlainJson::error_handler_t::replace);
     }
@@ -172,7 +177,9 @@ Validity validateScene(const std::string& in, ByteView file) {
     Validity validity{in, "scene"};
     if (file.size() > maxSceneBytes) {
         validity.faults.push_back(
-            Sentence("at most {0} bytes of a scene are read, it has {1}", maxSceneBytes, file.size()));
+            {ErrorCode::TooLarge,
+             Sentence("at most {0} bytes of a scene are read, it has {1}", maxSceneBytes, file.size()),
+             {}});
         return validity;
     }
     validity.faults = sceneFaults(wholeText(file));
@@ -188,14 +195,22 @@ Validity validateSuite(const std::string& in, ByteView file) {
     const Result<suite::Plan> plan =
         read ? suite::planOf({*std::move(read)}) : Result<suite::Plan>(fail(read.error()));
     if (!plan)
-        validity.faults.push_back(describe(plan.error()));
+        validity.faults.push_back(plan.error());
     return validity;
 }
 
 Validity validateRun(const std::string& in, ByteView file) {
     Validity validity{in, "run"};
     if (const Result<suite::RunRecord> run = suite::parseRun(wholeText(file)); !run)
-        validity.faults.push_back(describe(run.error()));
+        validity.faults.push_back(run.error());
+    return validity;
+}
+
+/// What --json prints is valid here where it has a run of tests.
+Validity validateOutput(const std::string& in, ByteView file) {
+    Validity validity = validateRun(in, file);
+    if (!validity.isValid())
+        validity.kind = "output";
     return validity;
 }
 
@@ -203,11 +218,8 @@ Validity validateRun(const std::string& in, ByteView file) {
 /// what is longer than a scene may be, the first key: runs are.
 std::vector<std::string> topKeys(std::string_view text) {
     if (text.size() > maxSceneBytes) {
-        constexpr std::string_view run = "\"run\"";
-        const std::size_t first = text.find_first_not_of(" \t\r\n", text.find('{') + 1);
-        return first != std::string_view::npos && text.substr(first).starts_with(run)
-                   ? std::vector<std::string>{"run"}
-                   : std::vector<std::string>();
+        const std::size_t begin = std::min(text.find('"'), text.size() - 1) + 1;
+        return {std::string(text.substr(begin, std::min(text.find('"', begin), text.size()) - begin))};
     }
     std::vector<std::string> keys;
     const auto keep = [&keys](int depth, PlainJson::parse_event_t event, PlainJson& parsed) {
@@ -224,8 +236,8 @@ bool beginsAsJson(ByteView file) {
     constexpr std::string_view space = " \t\r\n";
     std::string_view text(reinterpret_cast<const char*>(file.data()),
                           std::min<std::size_t>(file.size(), 4096));
-    if (text.starts_with("\xEF\xBB\xBF"))
-        text.remove_prefix(3);
+    if (text.starts_with(byteOrderMark))
+        text.remove_prefix(byteOrderMark.size());
     text.remove_prefix(std::min(text.find_first_not_of(space), text.size()));
     return text.starts_with("{");
 }
@@ -240,16 +252,17 @@ Validity validate(const std::string& in, ByteView file) {
         const auto has = [&keys](const char* key) { return std::ranges::find(keys, key) != keys.end(); };
         if (has("suite") || in.ends_with(suite::suiteExtension))
             return validateSuite(in, file);
-        return has("run") || has("results") || in.ends_with(".jsonl") ? validateRun(in, file)
-                                                                      : validateScene(in, file);
+        if (has("texshot"))
+            return validateOutput(in, file);
+        return has("run") || in.ends_with(".jsonl") ? validateRun(in, file) : validateScene(in, file);
     }
-    const Sentence why = decodeTexture(file).error().message;
-    constexpr std::string_view image = "expected an image";
-    Validity validity{in, {}, {why}};
-    if (why.english().starts_with(image))
-        validity.faults = {Sentence("expected a scene or an image{0}", why.english().substr(image.size()))};
-    validity.drawn = false;
-    return validity;
+    const Error why = decodeTexture(file).error(); // its message has the known formats and what was found
+    const std::vector<Sentence>& said = why.message.arguments();
+    const Sentence message =
+        file.empty() ? Sentence("expected a scene or an image ({0}), the file is empty", said.at(0))
+                     : Sentence("expected a scene or an image ({0}), the file begins with {1}", said.at(0),
+                                said.at(1));
+    return {.file = in, .kind = {}, .faults = {{why.code, message, {}}}, .drawn = false};
 }
 
 Validity validateFile(const std::string& in) {
@@ -259,7 +272,7 @@ Validity validateFile(const std::string& in) {
         });
     if (!file) {
         static_cast<void>(complain(file.error()));
-        return {.file = in, .kind = {}, .faults = {file.error().message}, .drawn = false, .read = false};
+        return {.file = in, .kind = {}, .faults = {file.error()}, .drawn = false, .read = false};
     }
     return validate(in, *file);
 }
@@ -270,8 +283,8 @@ std::string validityText(const std::vector<Validity>& all) {
         if (!each.read)
             continue;
         std::string faults;
-        for (const Sentence& fault : each.faults)
-            faults += (faults.empty() ? "" : "; ") + printable(fault);
+        for (const Error& fault : each.faults)
+            faults += (faults.empty() ? "" : "; ") + printable(describe(fault));
         std::string remarks;
         for (const std::string& remark : each.remarks)
             remarks += (remarks.empty() ? ": " : "; ") + printable(remark);
@@ -288,8 +301,8 @@ std::string validityJson(const std::vector<Validity>& all) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const Validity& each : all) {
         nlohmann::ordered_json faults = nlohmann::ordered_json::array();
-        for (const Sentence& fault : each.faults)
-            faults.push_back(placedMessageJson(fault));
+        for (const Error& fault : each.faults)
+            faults.push_back(problemJson(fault));
         files.push_back({{"file", each.file},
                          {"valid", each.isValid()},
                          {"kind", each.kind},

@@ -1,5 +1,6 @@
 #include "app/screenshot/gl/driver_question.h"
 
+#include "app/screenshot/output/sent_error.h"
 #include "app/screenshot/workers/pool.h"
 #include "app/screenshot/workers/signal_text.h"
 #include "app/screenshot/workers/work_loop.h"
@@ -18,11 +19,11 @@ namespace {
 using nlohmann::json;
 
 // A question is {"ask": "contexts" or "driver", "of": "egl:0"}, an answer {"contexts": […]}, {"driver": {…}}
-// or
-// {"error": "…"}.
+// or {"error": {…}}.
 constexpr const char* processCommand =
     "drivers";                         // which help knows; with workers::workerWord it is no user's call
 constexpr std::size_t maxQuoted = 200; // bytes of what a driver said
+constexpr const char* invalidAnswer = N_("the driver's process sent an invalid answer");
 
 json asJson(const DriverReport& report) {
     return {{"renderer", report.renderer},
@@ -35,7 +36,7 @@ json asJson(const DriverReport& report) {
             {"s3tc", report.s3tc},
             {"textureBorders", report.textureBorders},
             {"extensions", report.extensions},
-            {"lack", report.lack}};
+            {"lack", sentJson({ErrorCode::Driver, report.lack, {}})}};
 }
 
 /// Throws where something else was sent.
@@ -51,7 +52,7 @@ DriverReport reportIn(const json& sent) {
     sent.at("s3tc").get_to(report.s3tc);
     sent.at("textureBorders").get_to(report.textureBorders);
     sent.at("extensions").get_to(report.extensions);
-    sent.at("lack").get_to(report.lack);
+    report.lack = sentError(sent.at("lack")).message;
     return report;
 }
 
@@ -63,18 +64,18 @@ json answerTo(const json& question) {
     const Result<view::ContextChoice> choice =
         view::ContextChoice::parse(question.at("of").get<std::string>(), "of");
     if (!choice)
-        return {{"error", describe(choice.error())}};
+        return {{"error", sentJson(choice.error())}};
     if (question.at("ask") == "contexts") {
         const Result<std::vector<view::ContextChoice>> contexts = contextsOf(*choice);
         if (!contexts)
-            return {{"error", describe(contexts.error())}};
+            return {{"error", sentJson(contexts.error())}};
         json names = json::array();
         for (const view::ContextChoice& each : *contexts)
             names.push_back(each.text());
         return {{"contexts", names}};
     }
     const Result<DriverReport> report = reportDriver(*choice);
-    return report ? json{{"driver", asJson(*report)}} : json{{"error", describe(report.error())}};
+    return report ? json{{"driver", asJson(*report)}} : json{{"error", sentJson(report.error())}};
 }
 
 std::string answer(const std::string& question) {
@@ -93,20 +94,20 @@ std::string lastLine(std::string_view words) {
 /// What became of a question that got no answer.
 Error errorOf(const workers::Outcome& outcome) {
     using End = workers::Outcome::End;
-    std::string text;
+    Sentence text;
     if (outcome.end == End::Hung)
-        text = fmt::format("the driver hangs: there is no answer after {:.0f} s", outcome.took.count());
+        text = Sentence("the driver hangs: there is no answer after {0:.0f} s", outcome.took.count());
     else if (outcome.end == End::Killed)
-        text =
-            "the process of the driver was killed, twice (SIGKILL, as the system does when memory runs out)";
+        text = N_(
+            "the process of the driver was killed, twice (SIGKILL, as the system does when memory runs out)");
     else if (outcome.end == End::Garbled)
-        text = "the driver's process sent an invalid answer";
+        text = invalidAnswer;
     else if (WIFSIGNALED(outcome.status))
-        text = fmt::format("the driver crashed: {}", workers::signalText(WTERMSIG(outcome.status)));
+        text = Sentence("the driver crashed: {0}", workers::signalText(WTERMSIG(outcome.status)));
     else
-        text = fmt::format("the driver ended its process with status {}", WEXITSTATUS(outcome.status));
+        text = Sentence("the driver ended its process with status {0}", WEXITSTATUS(outcome.status));
     if (const std::string said = lastLine(outcome.lastWords); !said.empty())
-        text += fmt::format("; the last that it printed is \"{}\"", said);
+        text = Sentence("{0}; the last that it printed is \"{1}\"", text, ProperName{said});
     return {ErrorCode::Driver, text, {}};
 }
 
@@ -114,8 +115,12 @@ Result<json> answerIn(const workers::Outcome& outcome) {
     if (outcome.end != workers::Outcome::End::Answered)
         return fail(errorOf(outcome));
     json answer = json::parse(outcome.answer, nullptr, false);
-    if (answer.is_object() && answer.contains("error") && answer["error"].is_string())
-        return fail(ErrorCode::Driver, answer["error"].get<std::string>());
+    try {
+        if (answer.is_object() && answer.contains("error"))
+            return fail(sentError(answer["error"]));
+    } catch (const json::exception&) {
+        return fail(ErrorCode::Driver, invalidAnswer);
+    }
     return answer;
 }
 
@@ -143,7 +148,7 @@ Result<std::vector<Result<json>>> ask(const std::vector<std::string>& questions,
 }
 
 tl::unexpected<Error> noAnswer() {
-    return fail(ErrorCode::Driver, "the driver's process sent an invalid answer");
+    return fail(ErrorCode::Driver, invalidAnswer);
 }
 
 Result<DriverReport> reportOf(const Result<json>& answer) {

@@ -22,7 +22,7 @@ struct DriverReport {
     bool s3tc = false;
     bool textureBorders = false;
     std::vector<std::string> extensions{};
-    std::string lack{}; ///< why Texplorer can't draw with it; empty: it can
+    Sentence lack{}; ///< why Texplorer can't draw with it; empty: it can
 };
 
 /// The contexts that a module may be asked for by themselves. The error: it can't be loaded, or isn't built.

@@ -58,25 +58,25 @@ struct FoundEntry {
 /// An entry point of the module that serves the choice.
 template<class Entry>
 Result<FoundEntry<Entry>> findEntry(const view::ContextChoice& choice, const char* name) {
-    std::string reasons;
+    std::vector<Sentence> reasons;
     for (const ModuleRow& row : moduleRows) {
         if (!serves(row, choice))
             continue;
         const Result<void*> module = loadModule(row);
         if (!module) {
-            reasons.append(reasons.empty() ? "" : "; ").append(module.error().message);
+            reasons.push_back(module.error().message);
             continue;
         }
         if (const auto entry = reinterpret_cast<Entry>(dlsym(*module, name)))
             return FoundEntry<Entry>{entry, row.kind};
-        return fail(ErrorCode::Driver, Sentence("it has no entry point {0}", name), row.file);
+        return fail(ErrorCode::Driver, Sentence("it has no entry point {0}", name), inFile(row.file));
     }
     if (!reasons.empty())
-        return fail(ErrorCode::Driver, reasons);
+        return fail(ErrorCode::Driver, Sentence::joined("{0}; {1}", reasons));
     return fail(
         ErrorCode::Unsupported,
         Sentence("this texshot was built without {0}", choice.kind == ContextKind::Osmesa ? "OSMesa" : "EGL"),
-        "--context");
+        atOption("--context"));
 }
 
 /// With which one names a driver other than the usual one.

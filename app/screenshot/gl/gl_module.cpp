@@ -122,7 +122,7 @@ Result<Shot> drawWindow(const ShotRequest& request) {
             return fail(ErrorCode::OutOfRange,
                         Sentence("the picture in this window has {0} pixels, and none at {1},{2}",
                                  view::asText({picture.width, picture.height}), x, y),
-                        "--probe");
+                        atOption("--probe"));
         session.look.explaining.pixel = {x, picture.height - 1 - y};
     }
     session.look.playback.time = request.time;

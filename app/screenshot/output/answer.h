@@ -20,7 +20,8 @@ ExitCode complain(const Error& error, ExitCode code = failure);
 
 /// Of an error that was found with the scene: a wrong call where it is about an option, "--level".
 [[nodiscard]] inline ExitCode statusOf(const Error& error) {
-    return error.code == ErrorCode::OutOfRange && error.where.starts_with("--") ? wrongCall : failure;
+    return error.code == ErrorCode::OutOfRange && error.where.isOf(Location::Kind::Option) ? wrongCall
+                                                                                           : failure;
 }
 
 /// A text of several lines, or JSON, to standard output: printable (core/text/printable.h), its lines kept.

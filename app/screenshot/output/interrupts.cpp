@@ -55,13 +55,12 @@ void askToStop(std::stop_source* work) {
     asked = work;
 }
 
-ExitCode complainInterrupted(const std::string& written) {
-    std::string sentence = "interrupted";
-    if (!written.empty())
-        sentence += "; " + written;
-    else if (!outputBegun)
-        sentence += "; nothing was written";
-    complain({ErrorCode::Cancelled, sentence, {}});
+ExitCode complainInterrupted(const Sentence& written) {
+    complain({ErrorCode::Cancelled,
+              !written.empty() ? Sentence("interrupted; {0}", written)
+              : outputBegun    ? Sentence(N_("interrupted"))
+                               : Sentence(N_("interrupted; nothing was written")),
+              {}});
     return static_cast<ExitCode>(128 + received);
 }
 

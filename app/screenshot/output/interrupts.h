@@ -30,7 +30,7 @@ public:
 
 /// What is said after the work was stopped, and the exit status of its signal. `written`: "3 of 8 pictures
 /// were written"; empty: that nothing was, if so.
-ExitCode complainInterrupted(const std::string& written = {});
+ExitCode complainInterrupted(const Sentence& written = {});
 
 /// From here on the sentence doesn't say that nothing was written.
 void outputBegins();

@@ -1,6 +1,7 @@
 #include "app/screenshot/output/json_text.h"
 
 #include "app/screenshot/output/message_ids.h"
+#include "texplorer/base/error_name.h"
 
 #include <fmt/format.h>
 
@@ -37,6 +38,20 @@ Json argumentJson(const Sentence& argument) {
         return number.is_number() ? number : Json(argument.english()); // none of JSON, as infinity
     }
     return argument.key().empty() ? Json(argument.english()) : messageJson(argument);
+}
+
+/// An object for each step, from the outside.
+Json locationJson(const Location& location) {
+    constexpr std::array<const char*, 6> keys{"file", "line", "option", "parameter", "pointer", "name"};
+    Json steps = Json::array();
+    for (const Location::Step& each : location.steps()) {
+        const char* key = keys[static_cast<std::size_t>(each.kind)];
+        Json& step = steps.emplace_back();
+        step[key] = each.kind == Location::Kind::Line ? Json(each.line) : Json(each.text);
+        if (each.column > 0)
+            step["column"] = each.column;
+    }
+    return steps;
 }
 
 void shortenFloats(Json& json) {
@@ -80,24 +95,10 @@ Json messagesJson(std::span<const Sentence> messages) {
     return list;
 }
 
-Json placedMessageJson(const Sentence& message, std::string where) {
-    const Sentence* told = &message;
-    while (told->key() == describedKey.text &&
-           told->arguments().front().isName()) { // its place is told apart
-        where += (where.empty() ? "" : ": ") + told->arguments().front().english();
-        told = &told->arguments().back();
-    }
-    Json json = messageJson(*told);
-    json["where"] = std::move(where);
-    return json;
-}
-
 Json problemJson(const Error& problem) {
-    constexpr std::array<std::string_view, 9> codes{"NotFound",  "Unreadable",  "Unwritable",
-                                                    "Malformed", "Unsupported", "OutOfRange",
-                                                    "TooLarge",  "Driver",      "Cancelled"};
-    Json json = placedMessageJson(problem.message, problem.where);
-    json["code"] = codes[static_cast<std::size_t>(problem.code)];
+    Json json = messageJson(problem.message);
+    json["where"] = locationJson(problem.where);
+    json["code"] = nameOf(problem.code);
     return json;
 }
 

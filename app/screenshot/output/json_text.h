@@ -27,10 +27,7 @@ void noteError(const Error& error);
 
 [[nodiscard]] nlohmann::ordered_json messagesJson(std::span<const Sentence> messages);
 
-/// messageJson with "where": of a sentence that describe() has made, its place, else `where`.
-[[nodiscard]] nlohmann::ordered_json placedMessageJson(const Sentence& message, std::string where = {});
-
-/// placedMessageJson with "code", the name of an ErrorCode.
+/// messageJson with "where", the steps of the location, and "code", the name of an ErrorCode.
 [[nodiscard]] nlohmann::ordered_json problemJson(const Error& problem);
 
 /// The document with these results, an array. A text that is not UTF-8, as a file's name may be, has U+FFFD;

@@ -10,8 +10,10 @@
 namespace texplorer::screenshot {
 namespace {
 
-std::unordered_map<std::string, int> readIds() {
-    std::unordered_map<std::string, int> ids;
+using Ids = std::unordered_map<std::string, int>;
+
+Ids readIds() {
+    Ids ids;
     std::string_view rest = answerFiles().front().text;
     while (!rest.empty()) {
         const std::string_view line = rest.substr(0, rest.find('\n'));
@@ -24,12 +26,21 @@ std::unordered_map<std::string, int> readIds() {
     return ids;
 }
 
+const Ids& allIds() {
+    static const Ids ids = readIds();
+    return ids;
+}
+
 } // namespace
 
 std::optional<int> idOf(const Sentence& message) {
-    static const std::unordered_map<std::string, int> ids = readIds();
-    const auto found = ids.find(message.key().empty() ? message.english() : std::string(message.key()));
-    return found == ids.end() ? std::nullopt : std::optional(found->second);
+    const auto found = allIds().find(message.key().empty() ? message.english() : std::string(message.key()));
+    return found == allIds().end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<std::string_view> knownMessage(const std::string& key) {
+    const auto found = allIds().find(key);
+    return found == allIds().end() ? std::nullopt : std::optional<std::string_view>(found->first);
 }
 
 } // namespace texplorer::screenshot

@@ -3,6 +3,7 @@
 #include "texplorer/base/sentence.h"
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,5 +22,8 @@ struct AnswerFile {
 /// The number of a message, which no change of its words changes; none if its text comes from elsewhere, as
 /// those of the system and of drivers.
 [[nodiscard]] std::optional<int> idOf(const Sentence& message);
+
+/// The key of a message that has an ID, for the time of the program; none: no message has this key.
+[[nodiscard]] std::optional<std::string_view> knownMessage(const std::string& key);
 
 } // namespace texplorer::screenshot

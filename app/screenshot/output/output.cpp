@@ -39,7 +39,8 @@ bool isTerminal(const std::string& path) {
 Result<void> checkPlace(const std::string& path, NewFolders& made) {
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     if (!folder.empty() && !made.make(folder))
-        return fail(ErrorCode::Unwritable, "the folder can't be made: " + systemText(errno), folder.string());
+        return fail(ErrorCode::Unwritable, Sentence("the folder can't be made: {0}", systemText(errno)),
+                    inFile(folder.string()));
     return checkFileWritable(path);
 }
 
@@ -57,7 +58,8 @@ Result<Output> Output::open(const std::string& path) {
     if (isStream(path)) {
         output.stream_ = Descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
         if (!output.stream_.valid())
-            return fail(ErrorCode::Unwritable, "can't be opened: " + systemText(errno), path);
+            return fail(ErrorCode::Unwritable, Sentence("can't be opened: {0}", systemText(errno)),
+                        inFile(path));
         return output;
     }
     output.made_ = std::make_unique<NewFolders>();
@@ -82,7 +84,8 @@ Result<void> Output::put(ByteView bytes) const {
     if (stream_.valid()) {
         outputBegins();
         if (!writeFully(stream_.get(), bytes))
-            return fail(ErrorCode::Unwritable, "can't be written: " + systemText(errno), path_);
+            return fail(ErrorCode::Unwritable, Sentence("can't be written: {0}", systemText(errno)),
+                        inFile(path_));
         return {};
     }
     std::optional<Uninterrupted> placing;
@@ -102,7 +105,7 @@ Result<void> checkPlaces(const std::vector<std::string>& names, NewFolders& made
 
 Result<void> ImageOutput::write(const TextureImage& texture, const WriteOptions& options) const {
     const Result<Bytes> bytes = format->encode(texture, options);
-    return bytes ? output.write(*bytes) : fail(bytes.error().code, bytes.error().message, path);
+    return bytes ? output.write(*bytes) : fail(bytes.error().code, bytes.error().message, inFile(path));
 }
 
 Result<const CodecRow*> imageFormatOf(const std::string& path, std::string_view streamFormat,
@@ -113,10 +116,13 @@ Result<const CodecRow*> imageFormatOf(const std::string& path, std::string_view 
         format = &*std::ranges::find(codecRows(), streamFormat, &CodecRow::name);
     if (format != nullptr && format->encode && (only.empty() || format->name == only))
         return format;
+    const std::string names = writtenExtensions(", ", only);
     return fail(ErrorCode::Unsupported,
-                Sentence("expected a name that ends in {0}{1}, found \"{2}\"", only.empty() ? "one of " : "",
-                         writtenExtensions(", ", only), path),
-                argument);
+                only.empty() ? Sentence("expected a name that ends in one of {0}, found \"{1}\"",
+                                        ProperName{names}, ProperName{path})
+                             : Sentence("expected a name that ends in {0}, found \"{1}\"", ProperName{names},
+                                        ProperName{path}),
+                atOption(argument));
 }
 
 tl::expected<ImageOutput, ExitCode> openImageOutput(const std::string& path, std::string_view streamFormat,
@@ -128,7 +134,7 @@ tl::expected<ImageOutput, ExitCode> openImageOutput(const std::string& path, std
         return tl::unexpected(complain({ErrorCode::OutOfRange,
                                         N_("is a terminal, which can't show a picture; name a file or "
                                            "redirect it"),
-                                        isStandardOutput(path) ? "standard output" : path},
+                                        inFile(isStandardOutput(path) ? "standard output" : path)},
                                        wrongCall));
     Result<Output> output = Output::open(path);
     if (!output)

@@ -58,7 +58,7 @@ std::unique_ptr<PictureWriter::Encoder> PictureWriter::makeEncoder(std::size_t i
             return std::optional<Answer>();
         },
         [this](const std::shared_ptr<PictureJob>& job, Error error) {
-            fail({error.code, std::move(error.message), job->path.string()});
+            fail({error.code, std::move(error.message), inFile(job->path.string())});
             return Answer{};
         });
 }

@@ -149,7 +149,7 @@ private:
         if (isNew)
             files_.push_back(std::move(file));
         else if (files_[known->second].bytes != file.bytes)
-            return fail(ErrorCode::Unsupported, "two files of the page have this name", file.name);
+            return fail(ErrorCode::Unsupported, "two files of the page have this name", inFile(file.name));
         return {};
     }
 
@@ -245,7 +245,8 @@ Result<void> checkPageFolder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::directory_iterator there(folder, error);
     if (error == std::errc::permission_denied)
-        return fail(ErrorCode::Unreadable, Sentence("can't be read: {0}", error.message()), folder.string());
+        return fail(ErrorCode::Unreadable, Sentence("can't be read: {0}", error.message()),
+                    inFile(folder.string()));
     if (error || there == std::filesystem::directory_iterator())
         return {}; // what can't be written is said by who writes
     const Result<Bytes> page = readFileStart(folder / indexName, markedBytes);
@@ -254,7 +255,7 @@ Result<void> checkPageFolder(const std::filesystem::path& folder) {
     return fail(ErrorCode::Unwritable,
                 "expected a new folder, an empty folder or a page of lessons; found other files, which the "
                 "page might overwrite",
-                folder.string());
+                inFile(folder.string()));
 }
 
 Result<std::vector<PageFile>> lessonPage(const LessonPageOptions& options) {

@@ -203,11 +203,8 @@ Result<std::string> StepWriter::image(const std::string& name, const Result<Imag
 
 Result<PageStep> pageStep(const PageLesson& lesson, std::size_t index, const std::stop_token& stop) {
     Result<LessonScene> start = startOf(lesson.folder, lesson.lesson, index);
-    if (!start) {
-        const std::filesystem::path& path = lesson.folder.path();
-        return fail(start.error().code, describe(start.error()),
-                    path.empty() ? lesson.folder.name() : (path / lesson::lessonFileName).string());
-    }
+    if (!start)
+        return fail(within(inFile(lesson.folder.placeOf(lesson::lessonFileName)), start.error()));
     Result<lesson::StepNumbers> numbers =
         numbersOf(*start, lesson.lesson.steps[index], lesson::pageSize, stop);
     if (!numbers)

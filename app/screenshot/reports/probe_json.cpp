@@ -264,7 +264,8 @@ std::string asJson(const Explanation& explanation, const std::vector<ReadBack>& 
     const auto& [x, y] = explanation.pixel;
     Json json{{"at", Json::array({x, explanation.height - 1 - y})},
               {"window", Json::array({x, y})},
-              {"size", Json::array({explanation.width, explanation.height})},
+              {"width", explanation.width},
+              {"height", explanation.height},
               {"time", explanation.time},
               {"reference", listOf(explanation.bytes)}};
     Json& asRight = json["asRight"] = Json::array();
@@ -290,11 +291,9 @@ std::string asJson(const Explanation& explanation, const std::vector<ReadBack>& 
 
 Result<void> writeJson(const Contributions& found, const TexelQuestion& question,
                        const std::function<Result<void>(std::string_view)>& write) {
-    const Json head{{"pass", question.pass},
-                    {"unit", question.unit},
-                    {"level", question.texel.level},
-                    {"texel", listOf(question.texel.index)},
-                    {"size", Json::array({found.width, found.height})},
+    const Json head{{"pass", question.pass},         {"unit", question.unit},
+                    {"level", question.texel.level}, {"texel", listOf(question.texel.index)},
+                    {"width", found.width},          {"height", found.height},
                     {"pixels", Json::array()}}; // x, y from the top left, weight
     std::string text = documentText(Json::array({head}));
     const std::size_t place = text.find("\"pixels\": []") + std::string_view("\"pixels\": [").size();

@@ -69,7 +69,8 @@ Result<ProgramText> programBesideFiles(emit::Flavour flavour, const Scene& scene
         const std::string name = nameOfFile(file);
         const auto other = std::ranges::find(program.files, name, &ReadFile::name);
         if (other != program.files.end() && other->bytes != *bytes)
-            return fail(ErrorCode::Unsupported, "two files of this name can't be in one folder", name);
+            return fail(ErrorCode::Unsupported, "two files of this name can't be in one folder",
+                        inFile(name));
         if (other == program.files.end())
             program.files.push_back({name, *std::move(bytes)});
     }

@@ -54,9 +54,9 @@ Result<Bytes> readPicture(const fs::path& folder, const std::string& name) {
     const Descriptor directory = openPictures(folder);
     struct stat info {};
     if (!directory.valid() || ::fstatat(directory.get(), name.c_str(), &info, AT_SYMLINK_NOFOLLOW) != 0)
-        return fail(ErrorCode::NotFound, "there is no such picture", path);
+        return fail(ErrorCode::NotFound, "there is no such picture", inFile(path));
     const Error noPicture{ErrorCode::Malformed, N_("expected a PNG file, found something else: left out"),
-                          path};
+                          inFile(path)};
     if (!S_ISREG(info.st_mode))
         return fail(noPicture);
     const Descriptor file(

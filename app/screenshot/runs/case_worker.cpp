@@ -114,30 +114,24 @@ std::string fitted(std::string text) {
                               maxReportBytes);
 }
 
-CaseRecord problemOf(CaseRecord record, const Error& error) {
-    record.state = State::Error;
-    record.sentence = describe(error);
-    return record;
-}
-
 } // namespace
 
 std::string CaseWorker::work(const std::string& bytes) {
     const Result<WorkOrder> order = parseOrder(bytes);
     if (!order)
-        return bytesOf(WorkAnswer{.problem = describe(order.error())});
+        return bytesOf(WorkAnswer{.problem = order.error()});
     const Result<WorkAnswer> done =
         tried({"not enough memory for it", "it failed"}, [&] { return follow(*order); });
     if (done)
         return bytesOf(*done);
     loaded_.reset();
     images_ = ImageSource();
-    const std::string& sentence = done.error().message;
-    WorkAnswer answer{.problem = sentence};
+    WorkAnswer answer{.problem = done.error()};
     if (order->what == WorkOrder::What::Case && plan_ && order->number < plan_->cases.size())
-        answer.record = recordOf(*plan_, plan_->cases[order->number], State::Error, sentence);
+        answer.record =
+            problemOf(recordOf(*plan_, plan_->cases[order->number], State::Error, {}), done.error());
     if (order->what == WorkOrder::What::Pictures)
-        answer.record = CaseRecord{.name = order->name, .state = State::Error, .sentence = sentence};
+        answer.record = problemOf(CaseRecord{.name = order->name}, done.error());
     return bytesOf(answer);
 }
 
@@ -150,7 +144,7 @@ WorkAnswer CaseWorker::follow(const WorkOrder& order) {
     case WorkOrder::What::Pictures:
         return comparePair(order);
     }
-    return {.problem = "unknown order"};
+    return {.problem = Error{ErrorCode::Malformed, N_("unknown order"), {}}};
 }
 
 Result<Studio*> CaseWorker::studio(const RunSetup& setup) {
@@ -172,7 +166,7 @@ Result<Studio*> CaseWorker::studio(const RunSetup& setup) {
 WorkAnswer CaseWorker::openDriver(const WorkOrder& order) {
     const Result<Studio*> opened = studio(order.setup);
     if (!opened)
-        return {.problem = describe(opened.error())};
+        return {.problem = opened.error()};
     const conform::Driver driver = (*opened)->driver();
     return {.driver = driver.name, .version = driver.version};
 }
@@ -231,7 +225,8 @@ Result<Frame> CaseWorker::draw(const RunSetup& setup, const suite::Case& of, con
 WorkAnswer CaseWorker::doCase(const WorkOrder& order) {
     const Result<void> planned = plan(order.setup);
     if (!planned || order.number >= plan_->cases.size())
-        return {.problem = planned ? "there is no such case" : describe(planned.error())};
+        return {.problem = planned ? Error{ErrorCode::OutOfRange, N_("there is no such case"), {}}
+                                   : planned.error()};
     const suite::Case& of = plan_->cases[order.number];
     const CaseRecord bare = recordOf(*plan_, of, State::Error, {});
 

@@ -21,8 +21,8 @@ Result<void> placeGolden(const fs::path& folder, const std::string& golden, Byte
     if (path->has_parent_path()) // a suite that is named without a folder lies in the current one
         fs::create_directories(path->parent_path(), error);
     if (error)
-        return fail(ErrorCode::Unwritable, "the folder can't be made: " + error.message(),
-                    path->parent_path().string());
+        return fail(ErrorCode::Unwritable, Sentence("the folder can't be made: {0}", error.message()),
+                    inFile(path->parent_path().string()));
     return writeFileAtomically(*path, png);
 }
 
@@ -38,15 +38,13 @@ bool isUpdatable(const suite::JudgedCase& judged) {
 WorkAnswer writeGolden(const fs::path& folder, const std::string& golden, ByteView png,
                        suite::CaseRecord record) {
     const Result<void> placed = placeGolden(folder, golden, png);
-    if (!placed) {
-        record.state = State::Error;
-        record.sentence = describe(placed.error());
-        return {.record = std::move(record)};
-    }
+    if (!placed)
+        return {.record = suite::problemOf(std::move(record), placed.error())};
     const bool isNew = record.state == State::New || record.state == State::Extra;
     record.sentence = fmt::format("the golden is {}: {}", isNew ? "new" : "updated", golden);
     record.state = State::Passed;
     record.golden = golden;
+    record.code.clear();
     record.explanation.clear();
     return {.record = std::move(record), .wrote = golden};
 }
@@ -56,9 +54,7 @@ WorkAnswer writeGolden(const fs::path& folder, const std::string& golden, const 
     const Result<Bytes> png = encodePng(withoutAlpha(actual));
     if (png)
         return writeGolden(folder, golden, ByteView(*png), std::move(record));
-    record.state = State::Error;
-    record.sentence = describe(png.error());
-    return {.record = std::move(record)};
+    return {.record = suite::problemOf(std::move(record), png.error())};
 }
 
 } // namespace texplorer::screenshot

@@ -18,7 +18,7 @@ using suite::State;
 using suite::StoredPicture;
 
 WorkAnswer problemOf(const WorkOrder& order, const Error& error) {
-    return {.record = CaseRecord{.name = order.name, .state = State::Error, .sentence = describe(error)}};
+    return {.record = suite::problemOf({.name = order.name}, error)};
 }
 
 /// Pictures of a page have no more than 8 bits; other formats are shown as the codec shows them.

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Error cantWrite(const std::string& path) {
-    return {ErrorCode::Unwritable, "can't be written: " + systemText(errno), path};
+    return {ErrorCode::Unwritable, Sentence("can't be written: {0}", systemText(errno)), inFile(path)};
 }
 
 bool isRecordOfOurs(const fs::path& folder) {
@@ -47,7 +47,7 @@ Result<void> checkOurs(const fs::path& folder) {
                     Sentence("expected a new folder or one with a report of texshot test, found \"{0}\" of "
                              "something else",
                              name),
-                    folder.string());
+                    inFile(folder.string()));
     }
     return {};
 }
@@ -69,7 +69,8 @@ Result<RunFolder> RunFolder::open(const fs::path& path) {
     std::error_code error;
     fs::create_directories(path, error);
     if (error)
-        return fail(ErrorCode::Unwritable, "the folder can't be made: " + error.message(), path.string());
+        return fail(ErrorCode::Unwritable, Sentence("the folder can't be made: {0}", error.message()),
+                    inFile(path.string()));
     if (const Result<void> writable = checkFolderWritable(path); !writable)
         return fail(writable.error());
     const fs::path pictures = path / picturesFolder;
@@ -78,11 +79,11 @@ Result<RunFolder> RunFolder::open(const fs::path& path) {
     struct stat info {};
     if (::lstat(pictures.c_str(), &info) != 0 || !S_ISDIR(info.st_mode))
         return fail(ErrorCode::Unwritable, "expected a folder for pictures, found something else",
-                    pictures.string());
+                    inFile(pictures.string()));
     // A file system without locks has to do without this one.
     Descriptor lock(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (lockFile(lock.get()) == EWOULDBLOCK)
-        return fail(ErrorCode::Unwritable, "another run writes its report there", path.string());
+        return fail(ErrorCode::Unwritable, "another run writes its report there", inFile(path.string()));
     return RunFolder(path, std::move(lock));
 }
 
@@ -94,7 +95,8 @@ Result<void> RunFolder::openJournal() {
     if (!journal_.valid() || ::fstat(journal_.get(), &info) != 0)
         return fail(cantWrite(journalPath()));
     if (!S_ISREG(info.st_mode))
-        return fail(ErrorCode::Unwritable, "expected a file, found a device, pipe or folder", journalPath());
+        return fail(ErrorCode::Unwritable, "expected a file, found a device, pipe or folder",
+                    inFile(journalPath()));
     return {};
 }
 
@@ -111,9 +113,9 @@ Result<std::map<std::string, suite::CaseRecord>> RunFolder::resume(const suite::
         return fail(text.error());
     Result<suite::Journal> journal = suite::parseJournal(*text);
     if (!journal)
-        return fail(journal.error().code, describe(journal.error()), journalPath());
+        return fail(within(inFile(journalPath()), journal.error()));
     if (const Result<void> same = checkResumable(journal->run, run); !same)
-        return fail(same.error().code, same.error().message, journalPath());
+        return fail(same.error().code, same.error().message, inFile(journalPath()));
     if (const Result<void> opened = openJournal(); !opened)
         return fail(opened.error());
     if (::ftruncate(journal_.get(), static_cast<off_t>(journal->wholeBytes)) != 0)

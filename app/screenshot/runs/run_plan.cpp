@@ -61,7 +61,7 @@ Result<Chosen> chosen(std::vector<RunItem> items, const RunChoice& choice) {
             names.push_back(each.name);
         const Result<std::vector<std::string>> found = suite::parseAcceptList(*choice.accepted, names);
         if (!found)
-            return fail(found.error().code, describe(found.error()), choice.acceptedFrom);
+            return fail(within(inFile(choice.acceptedFrom), found.error()));
         accepted.insert(found->begin(), found->end());
         std::erase_if(items, [&](const RunItem& each) { return !accepted.contains(each.name); });
     }
@@ -159,7 +159,7 @@ Result<PlannedRun> planPictures(const RunSetup& setup, const RunChoice& choice) 
                          .pixels = each.pixels});
     }
     if (items.empty())
-        return fail(ErrorCode::NotFound, "expected a pattern that matches a picture", "--only");
+        return fail(ErrorCode::NotFound, "expected a pattern that matches a picture", atOption("--only"));
     Result<Chosen> own = chosen(std::move(items), choice);
     if (!own)
         return fail(own.error());

@@ -110,7 +110,8 @@ Result<void> TestRun::openFolder() {
         return {};
     std::error_code ignored;
     if (options_.resume && !std::filesystem::exists(planned_.setup.report + "/" + journalName, ignored))
-        return fail(ErrorCode::NotFound, "there is no run to resume in this folder", planned_.setup.report);
+        return fail(ErrorCode::NotFound, "there is no run to resume in this folder",
+                    inFile(planned_.setup.report));
     Result<RunFolder> folder = RunFolder::open(planned_.setup.report);
     if (!folder)
         return fail(folder.error());
@@ -137,9 +138,11 @@ Result<void> TestRun::askForDriver() {
         const Result<WorkAnswer> answer = parseAnswer(outcome.answer);
         if (outcome.end != Outcome::End::Answered) { // there is nothing to be parsed then
             hung = hung || outcome.end == Outcome::End::Hung;
-            problem = {ErrorCode::Driver, "OpenGL can't be opened: " + sentenceOf(outcome, "the driver"), {}};
-        } else if (!answer || !answer->problem.empty()) {
-            problem = answer ? Error{ErrorCode::Driver, answer->problem, {}} : answer.error();
+            problem = {ErrorCode::Driver,
+                       Sentence("OpenGL can't be opened: {0}", sentenceOf(outcome, "the driver")),
+                       {}};
+        } else if (!answer || answer->problem) {
+            problem = answer ? answer->problem : answer.error();
         } else {
             answered = true;
             finished_.run.driver = answer->driver;
@@ -267,10 +270,9 @@ CaseRecord TestRun::recordOf(std::size_t index, const Outcome& outcome) {
             if (!answer->wrote.empty())
                 finished_.wrote.push_back(answer->wrote);
         } else {
-            record = recordWithout(item, State::Error,
-                                   !answer                   ? describe(answer.error()).english()
-                                   : answer->problem.empty() ? "the worker process answered another question"
-                                                             : answer->problem);
+            const Error other{ErrorCode::Malformed, N_("the worker process answered another question"), {}};
+            record = suite::problemOf(recordWithout(item, State::Error, {}),
+                                      answer ? answer->problem.value_or(other) : answer.error());
         }
     } else {
         record = recordWithout(item, stateOf(outcome.end), sentenceOf(outcome, workerOf(item)));
@@ -347,12 +349,11 @@ void TestRun::collect() {
 
 Error TestRun::interrupted() const {
     const auto done = std::ranges::count_if(records_, [](const auto& each) { return each.has_value(); });
-    const std::string far =
-        fmt::format("{} of {} done", done, Sentence::plural("{0} case", "{0} cases", records_.size()));
+    const Sentence far("{0} of {1} done", done, Sentence::plural("{0} case", "{0} cases", records_.size()));
     const bool resumable = begun_ && !planned_.plan.cases.empty();
     return {ErrorCode::Cancelled,
-            resumable ? fmt::format("{}; the same call with --resume {} continues", far,
-                                    shellWord(planned_.setup.report))
+            resumable ? Sentence("{0}; the same call with --resume {1} continues", far,
+                                 ProperName{shellWord(planned_.setup.report)})
                       : far,
             {}};
 }

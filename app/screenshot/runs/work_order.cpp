@@ -1,5 +1,6 @@
 #include "app/screenshot/runs/work_order.h"
 
+#include "app/screenshot/output/sent_error.h"
 #include "texplorer/suite/record_json.h"
 
 #include <nlohmann/json.hpp>
@@ -115,7 +116,7 @@ std::string bytesOf(const WorkAnswer& answer) {
     return packed({{"record", answer.record ? suite::journalLine(*answer.record) : std::string()},
                    {"name", answer.record ? answer.record->name : std::string()},
                    {"wrote", answer.wrote},
-                   {"problem", answer.problem},
+                   {"problem", answer.problem ? sentJson(*answer.problem) : OrderJson()},
                    {"driver", answer.driver},
                    {"version", answer.version}});
 }
@@ -128,7 +129,8 @@ Result<WorkAnswer> parseAnswer(std::string_view bytes) {
         json.at("record").get_to(record);
         json.at("name").get_to(name);
         json.at("wrote").get_to(found.wrote);
-        json.at("problem").get_to(found.problem);
+        if (const OrderJson& problem = json.at("problem"); !problem.is_null())
+            found.problem = sentError(problem);
         json.at("driver").get_to(found.driver);
         json.at("version").get_to(found.version);
         return found;

@@ -59,7 +59,7 @@ struct WorkOrder {
 struct WorkAnswer {
     std::optional<suite::CaseRecord> record{}; ///< of a case or of pictures; its name passes byte by byte
     std::string wrote{};                       ///< the golden that was written, as its suite names it
-    std::string problem{};                     ///< of Driver: why there is none
+    std::optional<Error> problem{};            ///< why there is no record, or no driver
     std::string driver{};                      ///< GL_RENDERER
     std::string version{};
 

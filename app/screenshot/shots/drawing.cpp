@@ -23,7 +23,7 @@ constexpr std::size_t picturesOfContext = 8; // that make up for what a context 
 
 /// The same sentence, of one of several pictures.
 Error ofPicture(const Error& error, const std::string& name) {
-    return {error.code, describe(error), name};
+    return within(inFile(name), error);
 }
 
 /// The scene of each case, with its images: those of the last scene are kept for the next.
@@ -48,7 +48,7 @@ public:
         }
         if (const Result<void> loaded = images_.load(*scene); !loaded)
             return entry.file.empty() ? fail(loaded.error())
-                                      : fail(loaded.error().code, describe(loaded.error()), entry.file);
+                                      : fail(within(inFile(entry.file), loaded.error()));
         request.scene = *std::move(scene);
         request.images = images_;
         request.file = entry.file;

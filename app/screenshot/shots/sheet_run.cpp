@@ -252,9 +252,9 @@ ExitCode drawSheets(const SheetRun& run) {
         return complain(*lost);
     if (work.stopToken().stop_requested() && sheets.finished() < run.pages.size())
         return complainInterrupted(
-            sheets.written() > 0 ? fmt::format("{} of {} were written", sheets.written(),
-                                               Sentence::plural("{0} sheet", "{0} sheets", run.pages.size()))
-                                 : std::string());
+            sheets.written() > 0 ? Sentence("{0} of {1} were written", sheets.written(),
+                                            Sentence::plural("{0} sheet", "{0} sheets", run.pages.size()))
+                                 : Sentence());
     if (end.unopened)
         return complain(*end.unopened);
     if (run.written != nullptr)

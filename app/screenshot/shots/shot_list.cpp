@@ -92,7 +92,7 @@ Result<void> ShotList::checkPlaces(const NamePattern& pattern) const {
             return fail(ErrorCode::OutOfRange,
                         Sentence("{0} may be {1} or {2}: expected one of them as a whole", inBraces(place),
                                  meant[0], meant[1]),
-                        nameOption);
+                        atOption(nameOption));
         if (isFixed || meant.size() == 1)
             continue;
         std::string known;
@@ -101,7 +101,7 @@ Result<void> ShotList::checkPlaces(const NamePattern& pattern) const {
         for (const SweepAxis& axis : axes)
             known.append(", ").append(inBraces(keyOfPath(axis.path)));
         return fail(ErrorCode::OutOfRange, Sentence("expected one of {0}; found {1}", known, inBraces(place)),
-                    nameOption);
+                    atOption(nameOption));
     }
     return {};
 }
@@ -138,7 +138,7 @@ Result<std::vector<std::string>> ShotList::names(const NamePattern& pattern) con
                         Sentence("expected a name for each of {0} pictures, found \"{1}\" for number {2} "
                                  "and number {3}; {{number}} in it makes them different",
                                  count_, name, other->second, i + 1),
-                        nameOption);
+                        atOption(nameOption));
         names.push_back(std::move(name));
     }
     return names;

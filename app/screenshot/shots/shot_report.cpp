@@ -48,13 +48,15 @@ std::string ShotReport::json() const {
     const std::scoped_lock lock(mutex_);
     Document pictures = Document::array();
     for (const auto& [index, row] : rows_) {
-        Document axes = Document::object();
+        Document values = Document::object();
         for (const auto& [path, value] : row.axes)
-            axes[path] = value;
-        Document picture{
-            {"file", row.file},          {"scene", row.scene.empty() ? Document() : Document(row.scene)},
-            {"axes", std::move(axes)},   {"width", row.size.width},
-            {"height", row.size.height}, {"time", row.time}};
+            values[path] = value;
+        Document picture{{"file", row.file},
+                         {"scene", row.scene.empty() ? Document() : Document(row.scene)},
+                         {"values", std::move(values)},
+                         {"width", row.size.width},
+                         {"height", row.size.height},
+                         {"time", row.time}};
         if (!row.error) {
             picture["renderer"] = row.renderer;
             picture["driver"] = row.driver.name.empty() ? Document() : Document(row.driver.name);

@@ -103,13 +103,12 @@ ExitCode drawAll(const ShotRun& run) {
     work.finish();
     for (const Error& each : end.warnings)
         warn(each);
-    const std::string written =
-        fmt::format("{} of {} were written", writer.written(),
-                    Sentence::plural("{0} picture", "{0} pictures", run.names.size()));
+    const Sentence written("{0} of {1} were written", writer.written(),
+                           Sentence::plural("{0} picture", "{0} pictures", run.names.size()));
     if (const std::optional<Error> lost = writer.failure())
-        return complain({lost->code, fmt::format("{}; {}", lost->message, written), lost->where});
+        return complain({lost->code, Sentence("{0}; {1}", lost->message, written), lost->where});
     if (work.stopToken().stop_requested())
-        return complainInterrupted(writer.written() > 0 ? written : std::string());
+        return complainInterrupted(writer.written() > 0 ? written : Sentence());
     if (end.unopened)
         return complain(*end.unopened);
     if (run.report != nullptr)

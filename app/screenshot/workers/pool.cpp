@@ -147,8 +147,10 @@ Result<void> Pool::Seats::handOut() {
             return {};
         if (failedStarts_ >= 3 + 3 * setup_.processes) // somebody may have killed all of them at once
             return fail(ErrorCode::Driver,
-                        Sentence("worker processes end immediately{0}{1}",
-                                 failedWords_.empty() ? "" : "; the last one printed: ", failedWords_));
+                        failedWords_.empty()
+                            ? Sentence(N_("worker processes end immediately"))
+                            : Sentence("worker processes end immediately; the last one printed: {0}",
+                                       ProperName{failedWords_}));
         const Result<std::size_t> at = seatFor(task->job);
         if (!at)
             return fail(at.error());
@@ -343,32 +345,32 @@ Result<void> Pool::Seats::run(const JobSource& source, const JobSink& sink) {
     }
 }
 
-std::string sentenceOf(const Outcome& outcome, std::string_view who) {
-    std::string text;
+Sentence sentenceOf(const Outcome& outcome, std::string_view who) {
+    Sentence text;
     switch (outcome.end) {
     case Outcome::End::Answered:
         return {};
     case Outcome::End::Crashed:
         text = WIFSIGNALED(outcome.status)
-                   ? fmt::format("{} crashed: {}", who, signalText(WTERMSIG(outcome.status)))
-                   : fmt::format("{} ended the process, with status {}", who, WEXITSTATUS(outcome.status));
+                   ? Sentence("{0} crashed: {1}", who, signalText(WTERMSIG(outcome.status)))
+                   : Sentence("{0} ended the process, with status {1}", who, WEXITSTATUS(outcome.status));
         break;
     case Outcome::End::Hung:
         text =
-            fmt::format("no answer within {:.3g} s: {} hangs, or needs more time", outcome.took.count(), who);
+            Sentence("no answer within {0:.3g} s: {1} hangs, or needs more time", outcome.took.count(), who);
         break;
     case Outcome::End::Killed:
-        text =
+        text = N_(
             "the process was killed, and so was a second one: SIGKILL, as the system does when memory runs "
-            "out";
+            "out");
         break;
     case Outcome::End::Garbled:
-        text = "the process sent an invalid answer: its memory was overwritten";
+        text = N_("the process sent an invalid answer: its memory was overwritten");
         break;
     }
     if (outcome.before > 0)
-        text += fmt::format(" (after {} in the same process)",
-                            Sentence::plural("{0} other case", "{0} other cases", outcome.before));
+        text = Sentence("{0} (after {1} in the same process)", text,
+                        Sentence::plural("{0} other case", "{0} other cases", outcome.before));
     return text;
 }
 

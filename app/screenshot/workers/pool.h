@@ -47,7 +47,7 @@ struct Outcome {
 
 /// What became of it otherwise than by an answer, in a sentence: "the driver crashed: SIGSEGV, segmentation
 /// fault". `who`: what had the process do it, "the driver".
-[[nodiscard]] std::string sentenceOf(const Outcome& outcome, std::string_view who);
+[[nodiscard]] Sentence sentenceOf(const Outcome& outcome, std::string_view who);
 
 struct PoolSetup {
     StartCommand command;

@@ -75,12 +75,12 @@ std::vector<std::string> environmentWith(const std::vector<std::string>& more) {
 Result<Process> Process::start(const StartCommand& command) {
     std::array<int, 2> sockets{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0)
-        return fail(ErrorCode::Unsupported, "no socket for a worker process: " + reason());
+        return fail(ErrorCode::Unsupported, Sentence("no socket for a worker process: {0}", reason()));
     Descriptor ours(sockets[0]);
     const Descriptor theirs(sockets[1]);
     std::array<int, 2> pipes{};
     if (::pipe2(pipes.data(), O_CLOEXEC) != 0)
-        return fail(ErrorCode::Unsupported, "no pipe for a worker process: " + reason());
+        return fail(ErrorCode::Unsupported, Sentence("no pipe for a worker process: {0}", reason()));
     Descriptor heard(pipes[0]);
     const Descriptor said(pipes[1]);
     ::fcntl(ours.get(), F_SETFL, O_NONBLOCK);
@@ -95,7 +95,7 @@ Result<Process> Process::start(const StartCommand& command) {
     const pid_t parent = ::getpid();
     const pid_t process = ::fork();
     if (process < 0)
-        return fail(ErrorCode::Unsupported, "no worker process: " + reason());
+        return fail(ErrorCode::Unsupported, Sentence("no worker process: {0}", reason()));
     if (process == 0)
         become(command.program.c_str(), const_cast<char**>(argumentPointers.data()),
                const_cast<char**>(environmentPointers.data()), theirs.get(), said.get(), parent);

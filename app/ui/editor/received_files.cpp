@@ -38,7 +38,7 @@ Result<void> arrive(const Session& session, Load& load, const std::vector<std::s
     const std::size_t used = images.bytesOf(files);
     if (used + byteCount(*image) > sceneImageBytes) {
         Error refused = beyondBudget(byteCount(*image), sceneImageBytes - std::min(sceneImageBytes, used));
-        refused.where = (folderOf(session, load) / spellings.front()).string();
+        refused.where = inFile((folderOf(session, load) / spellings.front()).string());
         return fail(std::move(refused));
     }
     for (const std::string& file : spellings)
@@ -123,7 +123,7 @@ void giveUp(Session& session, const Load& load, const std::string& file, const E
         say(session,
             {error.code,
              Sentence("has changed and can't be read, so the old image stays: {0}", error.message),
-             path.string()},
+             inFile(path.string())},
             path);
 }
 

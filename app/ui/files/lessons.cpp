@@ -192,9 +192,9 @@ void tellProblem(Session& session, const Error& error) {
     LessonRun& run = *session.lesson;
     say(session,
         {error.code,
-         Sentence("the lesson has changed and can't be read, so the old one stays: {0}", error.message),
-         error.where},
-        error.where);
+         Sentence("the lesson has changed and can't be read, so the old one stays: {0}", describe(error)),
+         {}},
+        error.where.isOf(Location::Kind::File) ? error.where.steps().front().text : std::string());
     run.problem = session.look.notice.text;
 }
 
@@ -372,7 +372,7 @@ void reloadLesson(Session& session) {
     Result<lesson::LessonScene> start = startOfStep(session, run.folder, *lesson, step);
     const std::string file = (run.folder.path() / lesson::lessonFileName).string();
     if (!start)
-        return tellProblem(session, {start.error().code, describe(start.error()), file});
+        return tellProblem(session, within(inFile(file), start.error()));
     Result<std::shared_ptr<const Catalogue>> catalogue = readLessonCatalogue(run.folder, run.language);
     if (!catalogue)
         return tellProblem(session, catalogue.error());

@@ -74,7 +74,7 @@ Result<std::optional<SceneText>> sceneIn(const fs::path& file) {
     if (recogniseImage(*start))
         return std::nullopt;
     if (const Result<TextureImage> refused = decodeTexture(*start); !refused)
-        return fail(refused.error().code, refused.error().message, file.string());
+        return fail(refused.error().code, refused.error().message, inFile(file.string()));
     return std::nullopt;
 }
 
@@ -93,7 +93,7 @@ Load sorted(const Session& session, const std::vector<fs::path>& files) {
             load.refused.push_back({ErrorCode::OutOfRange,
                                     Sentence("only one scene is shown at a time, and {0} is opened",
                                              ProperName{load.path.filename().string()}),
-                                    file.string()});
+                                    inFile(file.string())});
         } else {
             load.kind = Load::Kind::Scene;
             load.path = absolutePath(file);
@@ -291,7 +291,7 @@ void addImages(Scene& scene, const ImageSource& images, Load& load) {
         if (scene.textures.size() >= maxTextures) {
             load.refused.push_back({ErrorCode::TooLarge,
                                     Sentence("a scene has at most {0} textures", maxTextures),
-                                    (images.directory() / name).string()});
+                                    inFile((images.directory() / name).string())});
             continue;
         }
         Texture texture;

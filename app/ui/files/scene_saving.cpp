@@ -32,7 +32,7 @@ Result<void> saveFilesInMemory(const Scene& scene, const ImageSource& images, co
         return fail(ErrorCode::Unwritable,
                     "the scene has an image of this name, but another file has it "
                     "too",
-                    (folder / file).string());
+                    inFile((folder / file).string()));
     };
     std::vector<std::string> missing;
     for (const std::string& file : filesOf(scene)) {
@@ -89,7 +89,7 @@ Result<SceneText> readScene(const fs::path& path) {
         return fail(text.error());
     Result<Scene> scene = parseScene(*text);
     if (!scene)
-        return fail(scene.error().code, describe(scene.error()), path.string());
+        return fail(within(inFile(path.string()), scene.error()));
     return SceneText{std::move(*scene), suite::hashOf(*text)};
 }
 
@@ -104,7 +104,7 @@ Result<Saving> saveScene(Session& session, const fs::path& path,
         return fail(
             ErrorCode::TooLarge,
             Sentence("the scene takes {0} bytes, but only {1} can be read again", text.size(), maxSceneBytes),
-            file.string());
+            inFile(file.string()));
     const bool isOwn = isOwnFile(document, file);
     const auto mayReplace = [&] {
         if (!isOwn)
@@ -122,7 +122,8 @@ Result<Saving> saveScene(Session& session, const fs::path& path,
     if (!*written && isOwn)
         return Saving::FileHasChanged;
     if (!*written)
-        return fail(ErrorCode::Unwritable, "another program has written this file meanwhile", file.string());
+        return fail(ErrorCode::Unwritable, "another program has written this file meanwhile",
+                    inFile(file.string()));
     if (absolutePath(document.images.directory()) != folder || document.file.empty()) {
         ImageSource images(folder);
         const std::vector<FileName> before = fileNamesOf(document.scene);

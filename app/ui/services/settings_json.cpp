@@ -1,6 +1,6 @@
 #include "app/ui/services/settings_json.h"
 
-#include "texplorer/text/json_end.h"
+#include "texplorer/text/json_encoding.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -122,7 +122,7 @@ constexpr std::array settingRows{
 };
 
 Result<SettingsJson> parseText(std::string_view json) {
-    if (const Result<void> whole = checkNoNul(json); !whole)
+    if (const Result<void> whole = checkEncoding(json); !whole)
         return fail(whole.error());
     constexpr int maxDepth = 32; // nlohmann-json writes recursively
     bool isTooDeep = false;

@@ -151,7 +151,7 @@ void drawRefused(const Session& session) {
         ImGui::PushTextWrapPos(0);
         plainText(printable(tr(describe(each))));
         ImGui::PopTextWrapPos();
-        noteItem("refused:" + each.where);
+        noteItem("refused:" + each.where.text());
     }
     ImGui::EndChild();
     ImGui::PopStyleColor();

@@ -165,15 +165,15 @@ Result<bool> makeOneAt(Scene& scene, const Edit& edit, EditTime time) {
 
 } // namespace
 
-Result<void> makeEdits(Scene& scene, std::span<const Edit> edits, std::string_view place) {
+Result<void> makeEdits(Scene& scene, std::span<const Edit> edits, std::string_view pointer) {
     Scene tried = scene;
     for (std::size_t i = 0; i < edits.size(); ++i) {
         Result<void> made = makeOne(tried, edits[i]);
         if (made)
             continue;
         Error& error = made.error();
-        if (!place.empty())
-            error.where = fmt::format("{}/{}{}{}", place, i, error.where.empty() ? "" : ": ", error.where);
+        if (!pointer.empty())
+            error = within(atPointer(fmt::format("{}/{}", pointer, i)), error);
         return made;
     }
     scene = std::move(tried);

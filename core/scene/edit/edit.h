@@ -80,10 +80,11 @@ using Edit =
 
 /// Makes all edits, or, if one is not possible, none. After Insert, Remove and Move everything that names an
 /// element of the list by its index names the same element (references.h). The error's `where` begins with
-/// `place` and the number of the edit, "edits/2", if a place is given. Errors: of setParam and applyPreset;
+/// `pointer`, if one is given, and the number of the edit, "/edits/2". Errors: of setParam and applyPreset;
 /// NotFound: no such preset; OutOfRange: no such list or element; TooLarge: the list is full, or has no
 /// element more than it needs.
-[[nodiscard]] Result<void> makeEdits(Scene& scene, std::span<const Edit> edits, std::string_view place = {});
+[[nodiscard]] Result<void> makeEdits(Scene& scene, std::span<const Edit> edits,
+                                     std::string_view pointer = {});
 
 /// When edits are made in a scene with key frames.
 struct EditTime {

@@ -1,6 +1,7 @@
 #include "texplorer/scene/params/json_object.h"
 
 #include "texplorer/scene/params/param_text.h"
+#include "texplorer/text/json_encoding.h"
 
 #include <fmt/core.h>
 
@@ -115,11 +116,11 @@ void JsonObject::refuseCount(const char* key, std::size_t min, std::size_t max, 
 
 void JsonObject::say(ErrorCode code, const std::string& key, Sentence message) {
     if (!problem_)
-        problem_ = Error{code, std::move(message), key.empty() ? where_ : placeOf(key)};
+        problem_ = Error{code, std::move(message), atPointer(key.empty() ? where_ : placeOf(key))};
 }
 
 std::string JsonObject::placeOf(std::string_view key) const {
-    return fmt::format("{}/{}", where_, key);
+    return fmt::format("{}/{}", where_, pointerStep(key));
 }
 
 } // namespace texplorer

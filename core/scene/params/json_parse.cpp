@@ -8,7 +8,7 @@
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/scene/params/params.h"
 #include "texplorer/scene/params/scene_check.h"
-#include "texplorer/text/json_end.h"
+#include "texplorer/text/json_encoding.h"
 
 #include <fmt/core.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -123,7 +123,7 @@ private:
     std::string pointer() const;
 
     bool stop(ErrorCode code, Sentence message) {
-        error_ = Error{code, std::move(message), pointer()};
+        error_ = Error{code, std::move(message), atPointer(pointer())};
         return false;
     }
     bool tooMany(std::size_t limit) {
@@ -139,21 +139,13 @@ private:
     std::optional<Error> error_;
 };
 
-/// A key as RFC 6901 writes it in a pointer.
-std::string pointerPart(std::string_view key) {
-    std::string text;
-    for (const char c : shortened(key))
-        text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-    return text;
-}
-
 std::string Reader::pointer() const {
     std::string text;
     for (const Frame& frame : frames_) {
         if (frame.kind != Frame::Kind::Object)
             text += fmt::format("/{}", frame.count);
         else if (!frame.key.empty())
-            text += "/" + pointerPart(frame.key);
+            text += "/" + pointerStep(shortened(frame.key));
     }
     return text;
 }
@@ -387,7 +379,7 @@ bool Reader::parse_error(std::size_t position, const std::string& token,
         return refuse(shortened(token));
 
     JsonProblem found = jsonProblem(text_, problem.id, position);
-    error_ = Error{ErrorCode::Malformed, std::move(found.message), std::move(found.where)};
+    error_ = Error{ErrorCode::Malformed, std::move(found.message), found.where};
     return false;
 }
 
@@ -400,7 +392,7 @@ Result<Scene> parseScene(std::string_view json) {
     if (json.empty())
         return fail(ErrorCode::Malformed, "expected an object, found an empty file");
 
-    if (const Result<void> whole = checkNoNul(json); !whole)
+    if (const Result<void> whole = checkEncoding(json); !whole)
         return fail(whole.error());
 
     Scene scene = defaultScene();

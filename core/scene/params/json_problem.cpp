@@ -1,6 +1,7 @@
 #include "texplorer/scene/params/json_problem.h"
 
 #include "texplorer/scene/params/param_text.h"
+#include "texplorer/text/json_encoding.h"
 #include "texplorer/text/printable.h"
 #include "texplorer/text/utf8.h"
 
@@ -24,7 +25,6 @@ constexpr std::array expectedNext{
     N_("':' after the key"), N_("',' or '}'"), N_("',' or ']'"),      N_("the end of the file")};
 
 constexpr std::string_view decimalDigits = "0123456789";
-constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
 /// The word or sign at a place, printable: "'NaN'"; empty at the end.
 std::string wordAt(std::string_view text, std::size_t at) {
@@ -254,14 +254,7 @@ JsonProblem jsonProblem(std::string_view text, int exception, std::size_t positi
     const Fault fault = exception == numberOverflow
                             ? Fault{std::max<std::size_t>(position, 1) - 1, "expected a smaller number"}
                             : FaultReader(text).fault();
-    const std::string_view before = text.substr(0, fault.at);
-    const std::size_t begin = before.rfind('\n') + 1; // 0 where there is none
-    std::string_view line = before.substr(begin);
-    if (begin == 0 && line.starts_with(byteOrderMark))
-        line.remove_prefix(byteOrderMark.size());
-    const auto isFirstByte = [](char each) { return (static_cast<unsigned char>(each) & 0xC0U) != 0x80U; };
-    return {fault.message, fmt::format("line {}, column {}", 1 + std::ranges::count(before, '\n'),
-                                       1 + std::ranges::count_if(line, isFirstByte))};
+    return {fault.message, atCharacter(text, fault.at)};
 }
 
 } // namespace texplorer

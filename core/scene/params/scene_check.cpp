@@ -14,13 +14,13 @@ namespace texplorer {
 namespace {
 
 tl::unexpected<Error> refuseElement(std::size_t index, Sentence sentence) {
-    return fail(ErrorCode::OutOfRange, std::move(sentence), fmt::format("/{}", index));
+    return fail(ErrorCode::OutOfRange, std::move(sentence), atPointer(fmt::format("/{}", index)));
 }
 
 Result<void> at(const std::string& pointer, const Result<void>& checked) {
     if (checked)
         return {};
-    return fail(checked.error().code, checked.error().message, pointer + checked.error().where);
+    return fail(within(atPointer(pointer), checked.error()));
 }
 
 Result<void> checkModel(const Model& model, const std::string& pointer) {

@@ -147,7 +147,7 @@ Result<void> takeOver(Scene& scene, const Scene& from, std::span<const std::stri
         copy();
     if (const Result<void> fits = checkTogether(edited); !fits && checkTogether(scene))
         return fail(ErrorCode::OutOfRange, fits.error().message,
-                    paths.empty() ? std::string() : paths.front());
+                    paths.empty() ? Location() : Location(paths.front()));
     scene = std::move(edited);
     return {};
 }

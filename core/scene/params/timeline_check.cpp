@@ -57,14 +57,15 @@ Result<void> checkTextures(const Scene& scene) {
 Result<void> checkKey(const Scene& scene, const KeyFrame& key) {
     if (key.path.empty())
         return fail(ErrorCode::OutOfRange,
-                    "expected the path of a parameter, as \"view.azimuth\", found none", "/path");
+                    "expected the path of a parameter, as \"view.azimuth\", found none", atPointer("/path"));
     if (const auto row = rowAt(scene, key.path); !row)
         return fail(row.error().code,
-                    Sentence("{0}: {1}", ProperName{row.error().where}, row.error().message), "/path");
+                    Sentence("{0}: {1}", ProperName{row.error().where.text()}, row.error().message),
+                    atPointer("/path"));
     if (auto fits = checkMovable(scene, key.path, key.value); !fits)
         return fail(fits.error().code,
                     Sentence("{0}: {1}", ProperName{shortened(key.path)}, fits.error().message),
-                    isOfTimeline(scene, key.path) ? "/path" : "/value");
+                    atPointer(isOfTimeline(scene, key.path) ? "/path" : "/value"));
     return {};
 }
 
@@ -79,7 +80,7 @@ Result<void> checkEditedKey(const Scene& scene, const KeyFrame& key, const Param
 Result<void> checkTimeline(const Scene& scene) {
     for (std::size_t i = 0; i < scene.timeline.keys.size(); ++i)
         if (auto fits = checkKey(scene, scene.timeline.keys[i]); !fits)
-            return fail(fits.error().code, fits.error().message, fmt::format("/{}{}", i, fits.error().where));
+            return fail(within(atPointer(fmt::format("/{}", i)), fits.error()));
     return checkTextures(scene);
 }
 

@@ -47,7 +47,7 @@ Result<std::string> readSceneText(const std::filesystem::path& file) {
     if (!bytes)
         return fail(bytes.error());
     Result<std::string> text = sceneTextIn(*bytes);
-    return text ? text : fail(text.error().code, text.error().message, file.string());
+    return text ? text : fail(text.error().code, text.error().message, inFile(file.string()));
 }
 
 bool isPictureWithScene(const std::filesystem::path& path, std::size_t maxChunks) {

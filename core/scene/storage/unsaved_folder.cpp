@@ -64,7 +64,7 @@ Result<UnsavedPlace> UnsavedPlace::lock(const fs::path& draft, Make make) {
     const auto refuse = [&](int error) {
         const bool isTaken = error == EWOULDBLOCK || error == ENOENT;
         return fail(isTaken ? ErrorCode::NotFound : ErrorCode::Unwritable,
-                    Sentence("can't be locked: {0}", systemText(error)), path.string());
+                    Sentence("can't be locked: {0}", systemText(error)), inFile(path.string()));
     };
     if (!file.valid())
         return refuse(errno);
@@ -110,7 +110,7 @@ Result<UnsavedScene> UnsavedPlace::read() const {
         return fail(text.error());
     Result<UnsavedScene> draft = parseUnsaved(*text);
     if (!draft)
-        return fail(draft.error().code, describe(draft.error()), draft_.string());
+        return fail(within(inFile(draft_.string()), draft.error()));
     return draft;
 }
 

@@ -79,8 +79,8 @@ TEST(ReadStream, StopsAtItsLimit) {
     const Pipe pipe(pattern(300001));
     const auto read = readStream(pipe.end(), "in", 300000);
     ASSERT_FALSE(read);
-    EXPECT_EQ(read.error(),
-              (Error{ErrorCode::TooLarge, "at most 300000 bytes are read, but there are more", "in"}));
+    EXPECT_EQ(read.error(), (Error{ErrorCode::TooLarge, "at most 300000 bytes are read, but there are more",
+                                   inFile("in")}));
 }
 
 TEST(ReadStream, WhatIsNotWorthReadingIsLeft) {
@@ -103,7 +103,8 @@ TEST(ReadStream, WhatIsNotWorthReadingIsLeft) {
 TEST(ReadStream, WhatCantBeReadIsSaid) {
     const auto read = readStream(-1, "in", 10);
     ASSERT_FALSE(read);
-    EXPECT_EQ(read.error(), (Error{ErrorCode::Unreadable, "can't be read: Bad file descriptor", "in"}));
+    EXPECT_EQ(read.error(),
+              (Error{ErrorCode::Unreadable, "can't be read: Bad file descriptor", inFile("in")}));
 }
 
 } // namespace

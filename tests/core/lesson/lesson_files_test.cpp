@@ -156,7 +156,7 @@ TEST_F(FolderOnDisk, IsRead) {
 
 TEST_F(FolderOnDisk, WithoutALessonSaysSo) {
     EXPECT_EQ(problem().code, ErrorCode::NotFound);
-    EXPECT_THAT(problem().where, EndsWith("mine/lesson.json"));
+    EXPECT_THAT(problem().where.text(), EndsWith("mine/lesson.json"));
     fs::remove(path);
     EXPECT_EQ(problem().code, ErrorCode::NotFound);
 }
@@ -164,7 +164,7 @@ TEST_F(FolderOnDisk, WithoutALessonSaysSo) {
 TEST_F(FolderOnDisk, SaysFileAndPlaceOfAMistake) {
     write(path / "lesson.json", "{\"lesson\": 1,\n\"title\": \"L\",\n}");
     EXPECT_EQ(problem().code, ErrorCode::Malformed);
-    EXPECT_THAT(problem().where, EndsWith("mine/lesson.json"));
+    EXPECT_THAT(problem().where.text(), EndsWith("mine/lesson.json"));
     EXPECT_THAT(problem().message, HasSubstr("line 3"));
     write(path / "lesson.json", R"({"lesson": 1, "title": "L", "about": "A", "stpes": []})");
     EXPECT_THAT(problem().message, HasSubstr("expected the key \"steps\""));
@@ -194,7 +194,7 @@ TEST_F(FolderOnDisk, IsNotLeft) {
 TEST_F(FolderOnDisk, IsNotLeftByALink) {
     fs::create_symlink("../secret.json", path / "lesson.json");
     EXPECT_EQ(problem().code, ErrorCode::OutOfRange);
-    EXPECT_THAT(problem().message.english() + problem().where, HasSubstr("lesson.json"));
+    EXPECT_THAT(problem().message.english() + problem().where.text(), HasSubstr("lesson.json"));
     fs::remove(path / "lesson.json");
     fs::create_symlink("nowhere", path / "lesson.json");
     EXPECT_FALSE(readLesson(folder()));

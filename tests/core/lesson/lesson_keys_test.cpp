@@ -135,7 +135,7 @@ TEST_F(LessonKeys, SayWhatASceneHasNot) {
     scene.passes.resize(2);
     scene.models.clear();
     EXPECT_TRUE(checkKey(scene, keys[0]));
-    EXPECT_EQ(checkKey(scene, keys[2]).error().where.substr(0, 17), "cycle/0/edits/0: ");
+    EXPECT_EQ(checkKey(scene, keys[2]).error().where.text().substr(0, 18), "/cycle/0/edits/0: ");
     EXPECT_FALSE(checkKey(scene, keys[4]));
     EXPECT_FALSE(checkKey(startScene(), {"A", "x", Addition{"models[0].spin", 3, 1}})) << "a fourth of three";
     EXPECT_FALSE(checkKey(startScene(), {"A", "x", Addition{"passes[0].enabled", 0, 1}})) << "no number";

@@ -76,7 +76,7 @@ TEST_F(LessonScenes, AreEditedAltogetherOrNotAtAll) {
         scene, std::vector<Edit>{edit::Set{"material.shininess", "5"}, edit::Set{"material.nothing", "1"}},
         "edits");
     ASSERT_FALSE(made);
-    EXPECT_THAT(made.error().where, HasSubstr("edits/1"));
+    EXPECT_THAT(made.error().where.text(), HasSubstr("edits/1"));
     EXPECT_EQ(scene, defaultScene());
     const Result<void> preset = makeEdits(scene, std::vector<Edit>{edit::ApplyPreset{"none"}});
     ASSERT_FALSE(preset);
@@ -90,13 +90,13 @@ TEST_F(LessonScenes, ThatAreNotThereAreRefusedByPlace) {
     for (const char* name : {"../cube", "../mine/cube", "/etc/passwd", "..", "."}) {
         lesson.steps[1].scene = name;
         ASSERT_FALSE(start(1)) << name;
-        EXPECT_THAT(start(1).error().where, HasSubstr("/steps/1/scene")) << name;
+        EXPECT_THAT(start(1).error().where.text(), HasSubstr("/steps/1/scene")) << name;
     }
     write("broken.json", "{");
     lesson.steps[1].scene = "broken.json";
-    EXPECT_THAT(start(1).error().where, HasSubstr("/steps/1/scene"));
+    EXPECT_THAT(start(1).error().where.text(), HasSubstr("/steps/1/scene"));
     lesson.steps[1] = stepOf("cube", {edit::Set{"material.color", "red"}});
-    EXPECT_THAT(start(1).error().where, HasSubstr("/steps/1: edits/0"));
+    EXPECT_THAT(start(1).error().where.text(), HasSubstr("/steps/1/edits/0"));
 }
 
 TEST_F(LessonScenes, CheckKeysWithTheStepsThatHaveThem) {
@@ -155,7 +155,7 @@ TEST_F(LessonScenes, HaveNoImagesOfOtherFolders) {
         writePictured("s.json", file);
         ASSERT_FALSE(start());
         EXPECT_EQ(start().error().code, ErrorCode::OutOfRange);
-        EXPECT_THAT(start().error().where, HasSubstr("/steps/0/scene: " + file));
+        EXPECT_THAT(start().error().where.text(), HasSubstr("/steps/0/scene: " + file));
         // The picture of a level is an image as well.
         Scene scene = defaultScene();
         scene.textures[0].mipmaps = MipPolicy::Given;
@@ -344,7 +344,7 @@ TEST_F(LessonScenes, AreCheckedForEverythingThatCanBeWrong) {
         Match{"M", {edit::Set{"textures[0].source", "file"}, edit::Set{"textures[0].file", "none.png"}}};
     std::vector<std::string> places;
     for (const Error& problem : problems())
-        places.push_back(problem.where);
+        places.push_back(problem.where.text());
     EXPECT_THAT(places, ElementsAre(HasSubstr("/steps/0/look/param"), "/steps/0/look/tab",
                                     "/steps/0/look/figure", "/steps/0/look/shown", "/steps/0/look/renderer",
                                     "/steps/1/predict/answers/1", HasSubstr("/steps/1/predict/reason"),

@@ -10,6 +10,7 @@ namespace {
 
 using testing::AllOf;
 using testing::ElementsAre;
+using testing::Eq;
 using testing::Field;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -45,7 +46,7 @@ std::vector<Error> problemsOf(const Step& step, const LessonScene& scene = tiled
 }
 
 auto problem(const char* where, const char* says) {
-    return AllOf(Field(&Error::where, where), Field(&Error::message, HasSubstr(says)));
+    return AllOf(Field(&Error::where, Eq(std::string_view(where))), Field(&Error::message, HasSubstr(says)));
 }
 
 TEST(Mark, MayBeAnywhereOnTheModel) {

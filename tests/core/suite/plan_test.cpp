@@ -129,7 +129,7 @@ TEST(Plan, ASceneThatIsMissingIsACaseOfItsOwn) {
     ASSERT_TRUE(plan->cases[0].problem && plan->cases[1].problem);
     EXPECT_EQ(plan->cases[0].problem->code, ErrorCode::NotFound);
     EXPECT_EQ(plan->cases[1].problem->code, ErrorCode::Malformed);
-    EXPECT_THAT(plan->cases[1].problem->where, HasSubstr("bad.json"));
+    EXPECT_THAT(plan->cases[1].problem->where.text(), HasSubstr("bad.json"));
 }
 
 struct Wrong {

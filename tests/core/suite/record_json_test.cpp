@@ -94,6 +94,22 @@ TEST(RecordJson, SettingsOfTheWholeRunAreRead) {
     EXPECT_EQ(asJson(*read), asJson(run));
 }
 
+TEST(RecordJson, TheSizeOfAnEarlierVersionIsRead) {
+    const Result<CaseRecord> read = parseCaseRecord(R"({"name": "a", "state": "passed", "size": [24, 16]})");
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ((std::pair(read->width, read->height)), (std::pair(24, 16)));
+}
+
+TEST(RecordJson, OfAnErrorHasItsKind) {
+    const CaseRecord record = problemOf({.name = "a"}, {ErrorCode::TooLarge, "too large", inFile("b.json")});
+    EXPECT_EQ(record.state, State::Error);
+    const Result<CaseRecord> read = parseCaseRecord(journalLine(record));
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(*read, record);
+    EXPECT_EQ(nlohmann::json::parse(journalLine(record))["code"], "TooLarge");
+    EXPECT_EQ(record.sentence, "b.json: too large");
+}
+
 TEST(RecordJson, WhatIsWrongIsSaidWithItsLine) {
     const std::string head = journalStart(samples::sampleRun());
     const std::array wrongs{

@@ -88,7 +88,7 @@ TEST(SuiteJson, WhatIsWrongIsSaidWithItsPlace) {
     const std::array wrongs{
         Wrong{"", "line 1, column 1", "the file ends; expected a value"},
         Wrong{"[]", "", "expected an object, found a list"},
-        Wrong{std::string("{\"suite\": 1, \"cases\": [{}]}\0, {", 31), "line 1",
+        Wrong{std::string("{\"suite\": 1, \"cases\": [{}]}\0, {", 31), "line 1, column 28",
               "expected JSON, found a NUL character"},
         Wrong{"{}", "", "expected the key \"suite\""},
         Wrong{R"({"suite": 2, "cases": [{}]})", "/suite", "expected version 1, found 2"},

@@ -73,7 +73,7 @@ class Batch(Texshot):
         self.assertEqual(sorted(os.listdir(self.out)), ["picture0.png", "picture1.png"])
         told = document(result.stdout)
         self.assertEqual([each["input"] for each in told["results"]], [str(self.files[0]), str(self.files[1])])
-        self.assertEqual([each["where"] for each in told["problems"]], [str(broken), str(missing), str(self.path)])
+        self.assertEqual([each["where"] for each in told["problems"]], [[{"file": str(each)}] for each in (broken, missing, self.path)])
         self.assertEqual(told["problems"][1]["message"], "can't be opened: No such file or directory")
         self.assertEqual(told["problems"][1]["arguments"], ["No such file or directory"])
         self.assertEqual([each["code"] for each in told["problems"]], ["Malformed", "NotFound", "Unreadable"])
@@ -95,7 +95,7 @@ class Batch(Texshot):
         # 8 x 4, 4 x 2, 2 x 1 and 1 x 1 texels in blocks of 4 x 4 with 8 bytes each
         self.assertEqual([level["bytes"] for level in first["report"]["levels"]], [16, 8, 8, 8])
         alone = single(self.succeeds("flip", self.files[0], self.path / "one.tga", "--json"))
-        self.assertEqual(alone["output"], str(self.path / "one.tga"))
+        self.assertEqual(alone["file"], str(self.path / "one.tga"))
         self.complains(2, "--json: standard output can have the picture or the JSON, not both", "flip", self.files[0], "-", "--json")
         self.complains(2, "--report: standard output can have the picture or the JSON, not both", "compress", self.files[0], "-",
                        "--format", "dxt1", "--report")
@@ -125,7 +125,7 @@ class Batch(Texshot):
         self.assertEqual((result.returncode, result.stderr.count(b"\n")), (1, 1))
         told = document(result.stdout)
         self.assertEqual([each["file"] for each in told["results"]], [str(self.files[0]), str(broken), str(self.files[1])])
-        self.assertEqual([each["where"] for each in told["problems"]], [str(broken)])
+        self.assertEqual([each["where"] for each in told["problems"]], [[{"file": str(broken)}]])
         self.assertEqual(self.facts(self.files[0])["width"], 8)  # of one, it alone
 
     def test_wrong_calls(self):

@@ -66,6 +66,7 @@ class Calls(Texshot):
             ('expected no further argument, found "b.json"; see texshot check --help', "check", "a.json", "b.json"),
             ("--json: expected no value", "check", "--json=no"),
             ("--tab requires --ui", "shot", "--tab", "memory", "-o", out),
+            ('--tab: there is no "exlain"; did you mean "explain"?', "shot", "--ui", "--tab", "exlain", "-o", out),
             ("SCENE and --lesson exclude each other", "check", "a.json", "--lesson", "wrap"),
             ('--step: expected a whole number from 1 to', "check", "--lesson", "wrap", "--step", "two"),
             ('--texture: expected a whole number from 0 to 63, found "64"', "texture", "--texture", "64", "-o", out),
@@ -146,6 +147,30 @@ class Calls(Texshot):
         for command in sorted(others - {"help"}):
             result = texshot(command, "--json", "--nonsense")
             self.assertIn("there is no option --nonsense", problem(result.stdout))
+
+    def test_a_program_can_take_apart_where_a_problem_is(self):
+        folder = self.path / "a: b"
+        folder.mkdir()
+        scene, out = folder / "c: d.json", self.path / "a.png"
+
+        def where(text, *call):
+            scene.write_bytes(text)
+            told, = document(texshot(*(call or ("shot", scene, "-o", out)), "--json").stdout)["problems"]
+            self.assertIsInstance(told["id"], int, told)
+            return told["where"]
+
+        lost = {"textures": [{"source": "file", "file": "e: f.bmp"}]}
+        self.assertEqual(where(json.dumps(lost).encode()),
+                         [{"file": str(scene)}, {"parameter": "textures[0].file"}, {"file": str(folder / "e: f.bmp")}])
+        self.assertEqual(where(b'{"view": {"distanc": 1}}'), [{"file": str(scene)}, {"pointer": "/view/distanc"}])
+        self.assertEqual(where(b'{\n "view" 1}'), [{"file": str(scene)}, {"line": 2, "column": 9}])
+        self.assertEqual(where('{\n "é\0"}'.encode()), [{"file": str(scene)}, {"line": 2, "column": 4}])
+        self.assertEqual(where(b"{}", "shot", scene, "--set", "view.distanc=1", "-o", out), [{"parameter": "view.distanc"}])
+        for option, wrong in (("--step", ("--lesson", "wrap", "--step", "abc")), ("--size", ("--size", "")), ("--set", ("--set", "x")),
+                              ("--out", ()), ("--size", ("--size",)), ("--size", ("--size", "1x1", "--size", "2x2"))):
+            with self.subTest(wrong):
+                call = ("shot", *wrong) if option == "--out" else ("shot", "-o", out, *wrong)
+                self.assertEqual(where(b"{}", *call), [] if option == "--out" else [{"option": option}])
 
     def test_a_test_run_that_fails_says_so_where_json_goes(self):
         for out in ("-", self.path / "out.json"):

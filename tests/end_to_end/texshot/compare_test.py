@@ -97,7 +97,7 @@ class Compare(Texshot):
         self.assertEqual(self.compare(a, b, status=DIFFERENT),
                          "the sizes differ: 40 × 30 pixels were expected, 40 × 31 found\n".encode())
         found = self.numbers(a, b, status=DIFFERENT)
-        self.assertEqual((found["expectedSize"], found["actualSize"], found["alike"]), ([40, 30], [40, 31], False))
+        self.assertEqual((found["expectedSize"], found["actualSize"], found["alike"]), ({"width": 40, "height": 30}, {"width": 40, "height": 31}, False))
         out = self.path / "map.png"
         self.assertIn(b"no picture of the difference", self.compare(a, b, "-o", out, status=DIFFERENT))
         self.assertFalse(out.exists())

@@ -80,7 +80,7 @@ class Compress(Texshot):
             for name in ("dxt1", "dxt5"):
                 with self.subTest(f"{name}, cube map: {cube}"):
                     written, = results(self.succeeds("compress", own, out, "--format", name, "--json"))
-                    self.assertEqual((written["levels"], written["losses"]), (4, []))
+                    self.assertEqual((written["levelCount"], written["losses"]), (4, []))
                     for face in (0, 5):
                         self.assertEqual(decoded(face), [(8 >> i, [((8 >> i) ** 2, color)]) for i, color in enumerate(colors)])
             for mips, levels, said in (("box", 4, "3 of its 4 mip levels (generated from the base)"), ("none", 1, "3 of its 4 mip levels")):

@@ -147,7 +147,7 @@ class Drivers(Texshot):
                 with self.subTest(version=version, context=each["context"]):
                     self.assertEqual((each["usable"], each["profile"]), (False, profile))
                     self.assertIn("needs OpenGL 2.1", each["error"]["message"])
-                    self.assertIn("llvmpipe", each["renderer"])
+                    self.assertIn("llvmpipe", each["driver"])
             result = texshot("drivers", env=environment)
             self.assertEqual((result.returncode, result.stderr),
                              (1, b"texshot: Texplorer can't draw in any of these contexts\n"))
@@ -181,7 +181,7 @@ class Contexts(Texshot):
 
     def contexts(self):
         found = [each["context"] for each in results(self.succeeds("drivers", "--json"))
-                 if each["usable"] and "llvmpipe" in each["renderer"]]
+                 if each["usable"] and "llvmpipe" in each["driver"]]
         self.assertEqual({name.split(":")[0] for name in found}, MODULES)
         return found
 

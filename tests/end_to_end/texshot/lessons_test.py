@@ -91,7 +91,7 @@ class Checking(Lessons):
                 (predicting(), "/steps/0/predict/answers", "expected a list of 2 to 4, found 0"),
                 (predicting({"text": "one"}, {"text": "two"}, right=2), "/steps/0/predict/right"),
                 (predicting({"text": "one"}, {"text": "two"}, reason="{colour}"), "/steps/0/predict/reason"),
-                (predicting({"text": "one", "edits": ["no=1"]}, {"text": "two"}), "/steps/0/predict/answers/0: edits/0"),
+                (predicting({"text": "one", "edits": ["no=1"]}, {"text": "two"}), "/steps/0/predict/answers/0/edits/0"),
                 ({**STEP, "scene": "nothing"}, "/steps/0/scene"),
                 ({**STEP, "scene": "../mine/lesson.json"}, "/steps/0/scene"),
                 ({**STEP, "look": {"tab": "explian"}}, "/steps/0/look/tab", "explain"),
@@ -132,6 +132,13 @@ class Checking(Lessons):
         self.says(folder, "ru.po", "expected a translation of \"Small\"")
         catalogue(**{"Two {color}s.": "Zwei."})
         self.says(folder, "ru.po", "placeholders")
+
+    def test_a_broken_scene_is_named_itself(self):
+        folder = self.lesson({**STEP, "scene": "scene.json"})
+        (folder / "scene.json").write_text('{"view": {"distanc": 1}}')
+        place = f"{folder}/lesson.json: /steps/0/scene: {folder}/scene.json: /view/distanc: unknown key"
+        self.says(folder, place)
+        self.complains(1, place, "scene", "--lesson", folder, "--step", "1")
 
     def test_a_picture_that_is_missing_or_lies_elsewhere(self):
         folder = self.lesson({**STEP, "scene": "scene.json"})
@@ -232,6 +239,7 @@ class Drawing(Lessons):
         folder = self.lesson(self.MATCH, self.PREDICT)
         for expected, *arguments in [
                 ("expected one of first-texture, ", "--lesson", "nothing"),
+                ('--lesson: there is no lesson "warp"; did you mean "wrap"?', "--lesson", "warp"),
                 ("a step from 1 to 2, found 3", "--lesson", folder, "--step", "3"),
                 ("--step", "--lesson", folder, "--step", "0"),
                 ("no picture to reach", "--lesson", folder, "--step", "2", "--reached"),

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import unittest
 
-from texshot import SANITIZED, TEXSHOT, Texshot, bmp, single, texshot
+from texshot import SANITIZED, TEXSHOT, Texshot, bmp, document, single, texshot
 
 
 class Probe(Texshot):
@@ -71,10 +71,16 @@ class Probe(Texshot):
         alone = self.path / "bin" / "texshot"
         alone.parent.mkdir()
         shutil.copy(TEXSHOT, alone)
-        result = subprocess.run([alone, "probe", self.scene, "--size", "4x4", "--at", "0,3"], capture_output=True)
-        self.assertEqual((result.returncode, result.stderr), (0, b""))
+        call = [alone, "probe", self.scene, "--size", "4x4", "--at", "0,3"]
+        result = subprocess.run(call, capture_output=True)
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, rb"\Atexshot: [^\n]*can't load the module for [^\n]*\n\Z")
         self.assertIn(b"can't load the module for", result.stdout)
         self.assertIn(b"reference  45 45 45 255", result.stdout)
+        told = document(subprocess.run([*call, "--json"], capture_output=True).stdout)
+        self.assertEqual([each["code"] for each in told["problems"]], [told["results"][0]["fixed"]["error"]["code"]])
+        self.assertEqual(told["results"][0]["reference"], [45, 45, 45, 255])
+        self.assertEqual(subprocess.run([*call, "--no-gl"], capture_output=True).returncode, 0)
 
     def test_where_nothing_is_drawn_it_says_so(self):
         said = self.succeeds("probe", self.scene, "--size", "8x8", "--at", "0,0", "--no-gl",

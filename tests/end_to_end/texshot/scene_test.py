@@ -5,7 +5,7 @@ import shlex
 import subprocess
 import unittest
 
-from texshot import TEXSHOT, Texshot, bmp, results, texshot
+from texshot import TEXSHOT, Texshot, bmp, results, single, texshot
 
 
 class Scene(Texshot):
@@ -82,9 +82,17 @@ class Scene(Texshot):
         self.assertEqual((there.returncode, there.stdout, there.stderr), (0, self.succeeds("scene", b), b""))
         self.assertEqual(self.succeeds("scene", a, *words), self.succeeds("scene", b))
         listed = results(texshot("scene", "--diff", a, b, "--json").stdout)
-        self.assertEqual(listed, [{"set": word} for word in words[1::2]])
+        self.assertEqual(listed, [{"set": dict([word.split("=", 1)])} for word in words[1::2]])
         self.assertEqual(self.succeeds("scene", "--diff", a, a), b"")
         self.assertEqual(results(self.succeeds("scene", "--diff", a, a, "--json")), [])
+
+    def test_json_has_the_scene_in_the_document(self):
+        told = single(self.succeeds("scene", "--set", "view.distance=9", "--json"))
+        self.assertEqual(told, {"file": None, "scene": json.loads(self.succeeds("scene", "--set", "view.distance=9"))})
+        out = self.path / "out.json"
+        told = single(self.succeeds("scene", "--short", "--set", "view.distance=9", "--json", "-o", out))
+        self.assertEqual(told, {"file": str(out), "scene": {"version": 1, "view": {"distance": 9}}})
+        self.assertEqual(json.loads(out.read_text()), told["scene"])
 
     def test_every_shell_reads_what_leads_from_one_to_the_other(self):
         a = self.write("a.json", passes=[{}])
@@ -120,6 +128,7 @@ class Scene(Texshot):
             (2, "--out and --diff exclude each other", "scene", "--diff", a, a, "-o", self.path / "out.json"),
             (2, "no such parameter", "scene", "--set", "view.distanc=3"),
             (2, "--preset: expected one of", "scene", "--preset", "nothing"),
+            (2, '--preset: there is no "alpha-tset"; did you mean "alpha-test"?', "scene", "--preset", "alpha-tset"),
         ]:
             with self.subTest(expected):
                 self.complains(code, expected, *call)

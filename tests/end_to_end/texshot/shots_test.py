@@ -65,7 +65,7 @@ class Shots(Texshot):
         self.assertEqual(result.returncode, 1)
         self.assertIn(str(broken), problem(result.stdout))
         told = results(result.stdout)
-        self.assertEqual([(os.path.basename(each["file"]), each["axes"]["textures[0].wrapS"], each["time"])
+        self.assertEqual([(os.path.basename(each["file"]), each["values"]["textures[0].wrapS"], each["time"])
                           for each in told],
                          [("1.png", "GL_REPEAT", 0.5), ("2.png", "GL_CLAMP", 0.5), ("3.png", "GL_REPEAT", 0.5),
                           ("4.png", "GL_CLAMP", 0.5)])

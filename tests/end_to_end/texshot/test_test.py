@@ -18,7 +18,7 @@ from pathlib import Path
 from PIL import Image
 
 from suites import COLORS, Suites
-from texshot import SANITIZED, TEXSHOT, single, texshot
+from texshot import SANITIZED, TEXSHOT, results, single, texshot
 
 
 class Test(Suites):
@@ -43,6 +43,9 @@ class Test(Suites):
         golden.mkdir()
         names = self.passes(suite, "--list").splitlines()
         self.assertEqual(names, [f"grey/{renderer}@24x16" for renderer in ("fixed", "shader", "reference")])
+        listed = results(self.succeeds("test", suite, "--list", "--json", "-"))
+        self.assertEqual(listed, [{"name": name, "suite": listed[0]["suite"], "renderer": renderer, "width": 24, "height": 16, "time": 0}
+                                  for name, renderer in zip(names, ("fixed", "shader", "reference"))])
         for name in names:
             renderer = name.split("/")[1].split("@")[0]
             self.succeeds("shot", "--set", f"view.background={COLORS['grey']},1", "--size", "24x16", "--renderer",
@@ -149,7 +152,7 @@ class Test(Suites):
                 self.assertEqual(one.convert("RGB").tobytes(), other.convert("RGB").tobytes())
                 texts = one.text
             self.assertEqual(texts["Texplorer renderer"], of["renderer"])
-            self.assertEqual(texts["Texplorer size"], "x".join(map(str, of["size"])))
+            self.assertEqual(texts["Texplorer size"], f"{of['width']}x{of['height']}")
             self.assertNotIn(str(self.path), "".join(texts.values()))
             self.assertEqual("Texplorer driver" in texts, of["renderer"] != "reference")
             self.succeeds("scene", actual)

@@ -49,10 +49,16 @@ def single(text):
     return one
 
 
+def place(one):
+    """Where a problem is, as standard error has it."""
+    return ": ".join(f"line {step['line']}" + (f", column {step['column']}" if "column" in step else "") if "line" in step
+                     else next(iter(step.values())) for step in one["where"])
+
+
 def problem(text):
     """The only one, as standard error has it."""
     one, = document(text)["problems"]
-    return f"{one['where']}: {one['message']}" if one["where"] else one["message"]
+    return f"{place(one)}: {one['message']}" if one["where"] else one["message"]
 
 
 def texshot(*arguments, **options):

@@ -7,7 +7,7 @@ import unittest
 
 from PIL import Image
 
-from texshot import Texshot, bmp, dds, problem, results, single, texshot
+from texshot import Texshot, bmp, dds, place, problem, results, single, texshot
 
 
 class Validate(Texshot):
@@ -131,7 +131,7 @@ class Validate(Texshot):
             "version": 1, "view": {"distanc": 1, "target": [0, "x", 0]}, "textures": [{"wrapS": "GL_CLAMPED", "wrapT": 3}, {}],
             "passes": [{"units": [{"textur": 0}]}]}).encode())
         told = results(texshot("validate", "--json", wrong).stdout)[0]
-        self.assertEqual(sorted(fault["where"] for fault in told["faults"]),
+        self.assertEqual([each["where"][0]["pointer"] for each in sorted(told["faults"], key=place)],
                          ["/passes/0/units/0/textur", "/textures/0/wrapS", "/textures/0/wrapT", "/view/distanc",
                           "/view/target/1"])
 
@@ -146,6 +146,10 @@ class Validate(Texshot):
         self.faulty("suite, not valid: line 1", self.make("c.suite.json", b'{"suite": 1'))
         self.faulty("two cases are called", self.make("d.suite.json", b'{"suite": 1, "cases": [{}, {}]}'))
         self.faulty("run, not valid: ", self.make("e.json", b'{"run": 1, "cases": 3}'))
+        for call in (("check", "--json"), ("test", "--list", suite, "--json", "-")):
+            self.faulty(f"output, not valid: expected the run of texshot test, found a document of texshot {call[0]} without it",
+                        self.make("f.json", self.succeeds(*call)))
+        self.faulty("scene, not valid: /results: unknown key", self.make("g.json", b'{"results": []}'))
 
     def test_all_of_them_are_told_and_one_decides(self):
         good = self.make("good.bmp", bmp(2, 2, lambda x, y: (0, 0, 0)))

@@ -63,11 +63,20 @@ TEST(JsonText, HasArgumentsOfEachKind) {
 }
 
 TEST(JsonText, TellsAProblemFromItsPlace) {
-    const Error inner{ErrorCode::Malformed, Sentence("can't be opened: {0}", "x"), "/steps/0"};
-    const Json problem = problemJson({ErrorCode::NotFound, describe(inner), "lesson.json"});
-    EXPECT_EQ(problem["where"], "lesson.json: /steps/0");
+    const Error error{ErrorCode::NotFound, Sentence("can't be opened: {0}", "x"),
+                      atPointer("/steps/0") / inFile("a: b.json") / atLine(2, 5)};
+    const Json problem = problemJson(within(inFile("lesson.json"), error));
+    EXPECT_EQ(
+        problem["where"].dump(),
+        R"([{"file":"lesson.json"},{"pointer":"/steps/0"},{"file":"a: b.json"},{"line":2,"column":5}])");
     EXPECT_EQ(problem["message"], "can't be opened: x");
     EXPECT_EQ(problem["code"], "NotFound");
+    EXPECT_EQ(problemJson({ErrorCode::OutOfRange, "x", {}})["where"], Json::array());
+    EXPECT_EQ(problemJson({ErrorCode::OutOfRange, "x", atLine(3)})["where"].dump(), R"([{"line":3}])");
+    EXPECT_EQ(problemJson({ErrorCode::OutOfRange, "x", "view.azimuth"})["where"].dump(),
+              R"([{"parameter":"view.azimuth"}])");
+    EXPECT_EQ(problemJson({ErrorCode::OutOfRange, "x", atOption("--size")})["where"].dump(),
+              R"([{"option":"--size"}])");
 }
 
 TEST(JsonText, ReplacesWhatIsNotUtf8) {

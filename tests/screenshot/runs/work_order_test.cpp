@@ -30,7 +30,10 @@ WorkOrder sampleOrder() {
 }
 
 WorkAnswer sampleAnswer() {
-    WorkAnswer answer{.wrote = "golden/\xff.png", .problem = "none", .driver = "llvmpipe", .version = "4.5"};
+    WorkAnswer answer{.wrote = "golden/\xff.png",
+                      .problem = Error{ErrorCode::Driver, "none", {}},
+                      .driver = "llvmpipe",
+                      .version = "4.5"};
     answer.record =
         suite::CaseRecord{.name = "wrap/fixed@8x8", .state = suite::State::Failed, .sentence = "…"};
     answer.record->worst = suite::WorstPixel{1, 2, {3, 4, 5, 6}, {7, 8, 9, 10}};

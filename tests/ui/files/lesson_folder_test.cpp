@@ -89,8 +89,8 @@ TEST_F(LessonFolderInTheWindow, StaysAsItWasWhileItIsBrokenAndSaysWhere) {
     tell("lesson.json");
     EXPECT_EQ(run().lesson.steps[1].text, "First text.");
     EXPECT_THAT(session->look.notice.text,
-                HasSubstr("lesson.json: the lesson has changed and can't be read"));
-    EXPECT_THAT(session->look.notice.text, HasSubstr("/steps/1: edits/0"));
+                HasSubstr("the lesson has changed and can't be read, so the old one stays: "));
+    EXPECT_THAT(session->look.notice.text, HasSubstr("lesson.json: /steps/1/edits/0: "));
     writeRaw(folder / "lesson.json", std::string("{\"lesson\": 1,"));
     tell("lesson.json");
     EXPECT_THAT(session->look.notice.text, HasSubstr("can't be read, so the old one stays"));

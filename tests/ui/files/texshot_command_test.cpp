@@ -123,7 +123,7 @@ TEST_F(TexshotCommand, DrawsTheReferenceAsTheWindowDoes) {
 
 TEST_F(TexshotCommand, OfASheetSaysWhatIsWrongWithIt) {
     session.sheet.own = SheetAxes{SheetAxis{"textures[3].wrapT", "*"}, SheetAxis{"light.position", "*"}};
-    EXPECT_THAT(sweepCommand(session).error().where, HasSubstr("textures[3]"));
+    EXPECT_THAT(sweepCommand(session).error().where.text(), HasSubstr("textures[3]"));
 }
 
 } // namespace

@@ -55,7 +55,7 @@ TEST(Settings, AreRefusedIfTheyAreNoObject) {
     std::vector<std::string> leftOut;
     for (const std::string_view text : {"", "[1]", "{\"theme\"", R"({"textPercent": 1e400})"})
         EXPECT_FALSE(parseSettings(text, leftOut)) << text;
-    EXPECT_EQ(parseSettings({"{}\0{}", 5}, leftOut).error().where, "line 1");
+    EXPECT_EQ(parseSettings({"{}\0{}", 5}, leftOut).error().where, "line 1, column 3");
     EXPECT_FALSE(parseSettings(std::string(100'000, '['), leftOut));
 }
 

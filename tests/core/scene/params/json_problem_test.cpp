@@ -13,7 +13,7 @@ namespace {
 std::string problemOf(const std::string& text) {
     const auto said = [&](const auto& error, std::size_t position) {
         const JsonProblem problem = jsonProblem(text, error.id, position);
-        return problem.where + ": " + problem.message.english();
+        return problem.where.text() + ": " + problem.message.english();
     };
     try {
         return nlohmann::json::parse(text).is_discarded() ? "discarded" : "";

@@ -1,0 +1,65 @@
+#include "app/screenshot/output/sent_error.h"
+
+#include "app/screenshot/output/message_ids.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace texplorer::screenshot {
+namespace {
+
+using nlohmann::json;
+
+/// A text, {"name": a text}, a whole number, or {"key", "arguments"}.
+json sentJson(const Sentence& sentence) {
+    if (sentence.number())
+        return static_cast<std::int64_t>(*sentence.number());
+    if (sentence.key().empty())
+        return sentence.isName() ? json{{"name", sentence.english()}} : json(sentence.english());
+    json arguments = json::array();
+    for (const Sentence& each : sentence.arguments())
+        arguments.push_back(sentJson(each));
+    return {{"key", sentence.key()}, {"arguments", std::move(arguments)}};
+}
+
+Sentence sentSentence(const json& sent) {
+    if (sent.is_number())
+        return Sentence(Sentence::Key<std::int64_t>("{0}"), sent.get<std::int64_t>()).arguments().front();
+    if (sent.is_string())
+        return sent.get<std::string>();
+    if (sent.contains("name"))
+        return ProperName{sent["name"].get_ref<const std::string&>()};
+    std::vector<Sentence> arguments;
+    for (const json& each : sent.at("arguments"))
+        arguments.push_back(sentSentence(each));
+    const auto& key = sent.at("key").get_ref<const std::string&>();
+    if (const std::optional<std::string_view> known = knownMessage(key))
+        return Sentence::ofParts(*known, std::move(arguments));
+    return Sentence::ofParts(key, std::move(arguments)).english();
+}
+
+} // namespace
+
+json sentJson(const Error& error) {
+    json steps = json::array();
+    for (const Location::Step& each : error.where.steps())
+        steps.push_back({static_cast<int>(each.kind), each.text, each.line, each.column});
+    return {{"code", static_cast<int>(error.code)},
+            {"message", sentJson(error.message)},
+            {"where", std::move(steps)}};
+}
+
+Error sentError(const json& sent) {
+    Error error{static_cast<ErrorCode>(sent.at("code").get<int>()), sentSentence(sent.at("message")), {}};
+    for (const json& each : sent.at("where"))
+        error.where = error.where /
+                      Location(Location::Step{static_cast<Location::Kind>(each.at(0).get<int>()),
+                                              each.at(1).get<std::string>(), each.at(2).get<std::size_t>(),
+                                              each.at(3).get<std::size_t>()});
+    return error;
+}
+
+} // namespace texplorer::screenshot
