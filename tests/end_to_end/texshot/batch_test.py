@@ -89,8 +89,8 @@ class Batch(Texshot):
         told = document(self.succeeds("compress", *self.files, "-o", self.out, "--format", "dxt1", "--json"))
         self.assertEqual((len(told["results"]), told["problems"]), (3, []))
         first = told["results"][0]
-        self.assertEqual({key: first[key] for key in ("format", "width", "height", "depth", "faces", "levels", "bytes")},
-                         {"format": "DDS", "width": 8, "height": 4, "depth": 1, "faces": 1, "levels": 4,
+        self.assertEqual({key: first[key] for key in ("format", "width", "height", "depth", "faces", "levelCount", "bytes")},
+                         {"format": "DDS", "width": 8, "height": 4, "depth": 1, "faces": 1, "levelCount": 4,
                           "bytes": (self.out / "picture0.dds").stat().st_size})
         # 8 x 4, 4 x 2, 2 x 1 and 1 x 1 texels in blocks of 4 x 4 with 8 bytes each
         self.assertEqual([level["bytes"] for level in first["report"]["levels"]], [16, 8, 8, 8])

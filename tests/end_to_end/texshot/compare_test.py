@@ -54,7 +54,7 @@ class Compare(Texshot):
         self.assertAlmostEqual(found["difference"].pop("mean"), 92 / 4800)
         self.assertEqual(found, {
             "alike": False, "expected": str(a), "actual": str(b), "metric": "absolute", "tolerance": 0.0, "share": 0.0,
-            "components": "rgba", "expectedSize": [40, 30], "actualSize": [40, 30], "pixels": 1200, "over": 3,
+            "components": "rgba", "expectedSize": {"width": 40, "height": 30}, "actualSize": {"width": 40, "height": 30}, "pixels": 1200, "over": 3,
             "shareOver": 0.0025,
             "worst": {"x": 8, "y": 5, "value": 60.0, "expected": [100, 100, 100, 255], "actual": [100, 100, 40, 255]},
             "bounds": {"x": 7, "y": 4, "width": 24, "height": 17}, "regions": 2,
