@@ -74,7 +74,7 @@ void addImage(Target& target, const NamedFile& file) {
     const std::size_t bytes = target.images.bytesOf(used);
     Result<TextureImage> image = decodeWithin(file.bytes, sceneImageBytes - std::min(sceneImageBytes, bytes));
     if (!image) {
-        target.refused.push_back({image.error().code, image.error().message, file.name});
+        target.refused.push_back({image.error().code, image.error().message, inFile(file.name)});
         return;
     }
     const std::string name = freeName(target.images, plainName(file.name), file.bytes);

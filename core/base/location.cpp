@@ -11,6 +11,13 @@ std::string Location::text() const {
     return text;
 }
 
+Location Location::inside() const {
+    Location inner;
+    for (std::size_t i = 1; i < steps_.size(); ++i)
+        inner.steps_.push_back(steps_[i]);
+    return inner;
+}
+
 Location operator/(Location outer, const Location& inner) {
     for (const Location::Step& each : inner.steps_) {
         if (each.kind == Location::Kind::Pointer && !outer.empty() && outer.steps_.back().kind == each.kind)

@@ -47,6 +47,9 @@ public:
     /// "a.png: a.json: textures[0].file"
     [[nodiscard]] std::string text() const;
 
+    /// What is left without the first step.
+    [[nodiscard]] Location inside() const;
+
     /// A place inside of another. Pointers into one document become one.
     friend Location operator/(Location outer, const Location& inner);
 

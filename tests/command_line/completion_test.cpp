@@ -91,9 +91,9 @@ TEST(Completion, IsAskedForByTheShellsName) {
     Painter painter;
     const std::vector<const char*> call{"painter", "--completion", "bash"};
     EXPECT_EQ(painter.line.parse(3, call.data()).value(), completionScript(painter.line, Shell::Bash));
-    const std::vector<const char*> wrong{"painter", "--completion=ksh"};
+    const std::vector<const char*> wrong{"painter", "--completion=nu"};
     EXPECT_EQ(describe(painter.line.parse(2, wrong.data()).error()),
-              "--completion: expected one of bash, zsh, fish, found \"ksh\"");
+              "--completion: expected one of bash, zsh, fish, found \"nu\"");
 }
 
 } // namespace

@@ -125,8 +125,8 @@ ExitCode check(const Options& options) {
     std::vector<Finding> findings = worthSaying(diagnose(opened->scene, opened->images), opened->scene);
     for (const Error& reason : reasons) {
         for (Finding& each : findings) {
-            if (each.path == reason.where)
-                each.sentence = reason.message;
+            if (reason.where.steps().front().text == each.path)
+                each.sentence = describe({reason.code, reason.message, reason.where.inside()});
         }
     }
     const std::vector<Note> notes = notesOf(*opened);

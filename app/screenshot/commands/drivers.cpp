@@ -52,7 +52,7 @@ std::string driversText(std::span<const DriverAnswer> answers, bool extensions) 
     for (const DriverAnswer& each : answers) {
         text += fmt::format("{}{}\n", text.empty() ? "" : "\n", each.context.text());
         text += each.report ? driversText(*each.report, extensions)
-                            : line("not usable", each.report.error().message);
+                            : line("not usable", describe(each.report.error()));
     }
     return text;
 }

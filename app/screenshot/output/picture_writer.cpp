@@ -114,7 +114,7 @@ void PictureWriter::encode(PictureJob& job) {
         textureOf(job.opaque ? withoutAlpha(std::move(job.image)) : std::move(job.image), {});
     const Result<Bytes> bytes = job.format->encode(picture, options);
     if (!bytes)
-        return fail({bytes.error().code, bytes.error().message, job.path.string()});
+        return fail({bytes.error().code, bytes.error().message, inFile(job.path.string())});
     std::optional<Uninterrupted> placing;
     const Result<void> placed = writeFileAtomically(
         job.path, *bytes, [&placing] { placing.emplace(); },

@@ -113,7 +113,8 @@ private:
     };
 
     void add(Error warning) {
-        const auto [at, isNew] = numbers_.try_emplace(warning.message, warnings_.size());
+        const Error inPicture{warning.code, warning.message, warning.where.inside()};
+        const auto [at, isNew] = numbers_.try_emplace(describe(inPicture), warnings_.size());
         if (isNew)
             warnings_.push_back({std::move(warning)});
         else

@@ -15,6 +15,8 @@ TEST(Location, IsAWayFromTheOutside) {
     EXPECT_EQ(place.steps()[3], (Location::Step{Kind::Line, "line 2, column 5", 2, 5}));
     EXPECT_TRUE(place.isOf(Kind::File));
     EXPECT_FALSE(place.isOf(Kind::Line));
+    EXPECT_EQ(place.inside(), "c.json: /textures/0: line 2, column 5");
+    EXPECT_TRUE(Location().inside().empty());
 }
 
 TEST(Location, JoinsPointersIntoOneDocument) {

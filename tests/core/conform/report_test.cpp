@@ -145,7 +145,8 @@ TEST(Report, SaysWhereHowMuchAndHowToMakeItAgain) {
     EXPECT_EQ(json["command"], "A=b texshot conform --seed 1");
     EXPECT_EQ(json["driver"], "llvmpipe <&>");
     const auto& worst = json["pairs"][0]["features"][0]["worst"];
-    EXPECT_EQ((std::pair(worst["x"], worst["y"])), (std::pair(3, 63)));
+    EXPECT_EQ(worst["x"], 3);
+    EXPECT_EQ(worst["y"], 63);
 }
 
 TEST(Report, IsJsonForPrograms) {

@@ -225,7 +225,7 @@ print -r -- READY >>$OUT
 
 class Calls(Texshot):
     def test_wrong_calls(self):
-        self.complains(2, "--completion: expected one of bash, zsh, fish, found \"ksh\"", "--completion", "ksh")
+        self.complains(2, "--completion: expected one of bash, zsh, fish, found \"nu\"", "--completion", "nu")
         self.complains(2, "--completion: expected a value, found none", "--completion")
         self.complains(2, "--completion: expected no further argument, found \"a\"", "--completion", "bash", "a")
         self.assertEqual(self.succeeds("--completion=fish"), self.succeeds("--completion", "fish"))

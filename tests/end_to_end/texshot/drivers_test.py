@@ -131,7 +131,7 @@ class Drivers(Texshot):
     def test_the_list_is_for_people_as_well(self):
         said = self.succeeds("drivers").decode()
         for name, each in self.drivers().items():
-            self.assertIn(f"{name}\n  renderer        {each['renderer']}\n", said)
+            self.assertIn(f"{name}\n  renderer        {each['driver']}\n", said)
             self.assertIn(f"  extensions      {each['extensionCount']}\n", said)
         self.assertNotIn("GL_EXT_texture_compression_s3tc", said)
         self.assertIn("\n    GL_EXT_texture_compression_s3tc\n", self.succeeds("drivers", "--extensions").decode())
