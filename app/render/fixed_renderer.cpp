@@ -2,6 +2,7 @@
 
 #include "app/render/fixed_state.h"
 #include "app/render/pipeline.h"
+#include "app/render/texture_stacks.h"
 #include "texplorer/scene/model_mesh.h"
 
 #include <fmt/core.h>
@@ -15,11 +16,13 @@ namespace {
 class FixedPipeline : public Pipeline {
 public:
     explicit FixedPipeline(int textureUnits)
-        : textureUnits_(textureUnits) {}
+        : textureUnits_(textureUnits)
+        , stacks_(textureUnits) {}
 
     [[nodiscard]] VertexInput vertexInput() const override { return VertexInput::FixedArrays; }
 
     void beginFrame(const Scene& scene, float aspect, GlErrors& errors) override {
+        stacks_.beginFrame();
         applyProjection(scene.view, aspect);
         glLoadIdentity();
         applyLight(scene.light);
@@ -37,22 +40,29 @@ public:
         for (int i = 0; i < maxUnits; ++i) {
             const auto at = static_cast<std::size_t>(i);
             if (textures[at].name != 0)
-                applyUnit(i, scene.passes[pass].units[at], textures[at], time, scene.light);
+                applyUnit(i, scene.passes[pass].units[at], textures[at]);
             else if (i < textureUnits_)
                 switchUnitOff(i);
             errors.check([&] { return fmt::format("passes[{}].units[{}]: glTexEnv, glTexGen", pass, i); });
         }
-        glMatrixMode(GL_MODELVIEW);
+        stacks_.beginPass(scene, pass, textures, time);
+        errors.check([&] { return fmt::format("passes[{}]: glPushMatrix", pass); });
         return true;
     }
 
-    void placeModel(const Scene& scene, const Model& model, bool /*colored*/, double time) override {
-        applyMaterial(materialOf(scene, model)); // a mesh with colours has overwritten glColor
-        applyModelView(scene.view, model, time);
+    void beginModel(const Scene& scene, std::size_t pass, std::size_t model, bool /*colored*/,
+                    double time) override {
+        applyMaterial(materialOf(scene, scene.models[model])); // a mesh with colours has overwritten glColor
+        stacks_.beginModel(scene, pass, model, time);
+        applyModelView(scene.view, scene.models[model], time);
     }
+
+    void endModel() override { stacks_.endModel(); }
+    void endPass() override { stacks_.endPass(); }
 
 private:
     int textureUnits_;
+    TextureStacks stacks_;
 };
 
 } // namespace

@@ -6,11 +6,8 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/trigonometric.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
-#include <span>
 
 namespace texplorer::render {
 
@@ -72,9 +69,6 @@ void applyFog(const Fog& fog) {
     glFogfv(GL_FOG_COLOR, glm::value_ptr(fog.color));
 }
 
-/// Sets t to r.
-constexpr glm::mat4 rAsT{1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1};
-
 void applyTexGen(const GeneratedCoordinate& row, const TexGen& generated) {
     setEnabled(row.enable, generated.enabled);
     if (!generated.enabled)
@@ -109,42 +103,6 @@ void multiplyProjector(const Light& light) {
     else
         glFrustum(-seen.extent, seen.extent, -seen.extent, seen.extent, seen.nearest, seen.farthest);
     glMultMatrixf(glm::value_ptr(glm::mat4(seen.view)));
-}
-
-void applyStep(const MatrixStep& step, double time, const Light& light) {
-    const glm::vec3 amount(glm::dvec3(step.amount) + glm::dvec3(step.rate) * time);
-    const bool pivots =
-        (step.op == MatrixOp::Rotate || step.op == MatrixOp::Scale) && step.pivot != glm::vec3(0);
-    if (pivots)
-        translate(step.pivot);
-    switch (step.op) {
-    case MatrixOp::Translate:
-        translate(amount);
-        break;
-    case MatrixOp::Rotate:
-        rotate(angleAt(step.angle, step.angleRate, time), amount);
-        break;
-    case MatrixOp::Scale:
-        glScalef(amount.x, amount.y, amount.z);
-        break;
-    case MatrixOp::Multiply:
-    case MatrixOp::Load: // it replaces all steps before it: see applySteps
-        glMultMatrixf(glm::value_ptr(step.matrix));
-        break;
-    case MatrixOp::Projector:
-        multiplyProjector(light);
-        break;
-    }
-    if (pivots)
-        translate(-step.pivot);
-}
-
-/// Steps before a loaded matrix have no effect.
-void applySteps(std::span<const MatrixStep> steps, double time, const Light& light) {
-    const auto lastLoad = std::find_if(steps.rbegin(), steps.rend(),
-                                       [](const MatrixStep& step) { return step.op == MatrixOp::Load; });
-    const auto first = lastLoad == steps.rend() ? steps.begin() : std::prev(lastLoad.base());
-    std::for_each(first, steps.end(), [&](const MatrixStep& step) { applyStep(step, time, light); });
 }
 
 } // namespace
@@ -241,7 +199,35 @@ void switchUnitOff(int index) {
     glDisableClientState(GL_TEXTURE_COORD_ARRAY);
 }
 
-void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double time, const Light& light) {
+void applyMatrixStep(const MatrixStep& step, double time, const Light& light) {
+    const glm::vec3 amount(glm::dvec3(step.amount) + glm::dvec3(step.rate) * time);
+    const bool pivots =
+        (step.op == MatrixOp::Rotate || step.op == MatrixOp::Scale) && step.pivot != glm::vec3(0);
+    if (pivots)
+        translate(step.pivot);
+    switch (step.op) {
+    case MatrixOp::Translate:
+        translate(amount);
+        break;
+    case MatrixOp::Rotate:
+        rotate(angleAt(step.angle, step.angleRate, time), amount);
+        break;
+    case MatrixOp::Scale:
+        glScalef(amount.x, amount.y, amount.z);
+        break;
+    case MatrixOp::Multiply:
+    case MatrixOp::Load: // the matrix that it replaces has been loaded
+        glMultMatrixf(glm::value_ptr(step.matrix));
+        break;
+    case MatrixOp::Projector:
+        multiplyProjector(light);
+        break;
+    }
+    if (pivots)
+        translate(-step.pivot);
+}
+
+void applyUnit(int index, const Unit& unit, const BoundTexture& texture) {
     switchUnitOff(index); // an earlier pass may have used another target, which could take precedence
     const auto target = static_cast<GLenum>(unit.target);
     glBindTexture(target, texture.name);
@@ -255,16 +241,6 @@ void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double 
     glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, unitBias(unit, texture));
     for (const GeneratedCoordinate& row : generatedCoordinates)
         applyTexGen(row, unit.*row.state);
-    glMatrixMode(GL_TEXTURE);
-    glLoadIdentity();
-    if (texture.compares && unit.target == Target::Texture1D)
-        glMultMatrixf(
-            glm::value_ptr(rAsT)); // Mesa 22.3 compares this coordinate; otherwise a line never requests t
-    if (texture.lateFlip == LateFlip::Matrix) {
-        glTranslatef(0, 1, 0);
-        glScalef(1, -1, 1);
-    }
-    applySteps(unit.matrix, time, light);
 }
 
 } // namespace texplorer::render

@@ -25,10 +25,12 @@ void applyMaterial(const Material& material);
 /// Sets lighting, the alpha test and fog.
 void applyFixedPass(const Pass& pass);
 
-/// Sets the texture bound to one unit, its environment and its matrix at `time`; with LateFlip::Matrix the
-/// matrix begins with t -> 1 - t. The modelview matrix must be the identity, because eye planes are in eye
-/// coordinates.
-void applyUnit(int index, const Unit& unit, const BoundTexture& texture, double time, const Light& light);
+/// Sets the texture bound to one unit, its environment and the coordinates that it generates. The modelview
+/// matrix must be the identity, because eye planes are in eye coordinates.
+void applyUnit(int index, const Unit& unit, const BoundTexture& texture);
+
+/// Multiplies the current matrix by a step at `time`. A step that loads a matrix multiplies, too.
+void applyMatrixStep(const MatrixStep& step, double time, const Light& light);
 
 void switchUnitOff(int index);
 

@@ -42,8 +42,14 @@ public:
     /// Increases when it draws the same scene differently: its shaders were edited.
     [[nodiscard]] virtual std::uint64_t revision() const { return 0; }
 
-    /// Called before each model. `colored`: its vertices have colours, which replace glColor.
-    virtual void placeModel(const Scene& scene, const Model& model, bool colored, double time) = 0;
+    /// Called before and after a model, the `model`th of the scene, is drawn. `colored`: its vertices have
+    /// colours, which replace glColor.
+    virtual void beginModel(const Scene& scene, std::size_t pass, std::size_t model, bool colored,
+                            double time) = 0;
+    virtual void endModel() {}
+
+    /// Called after the models of a pass.
+    virtual void endPass() {}
 };
 
 } // namespace texplorer::render

@@ -147,10 +147,12 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
             const Model& model = scene.models[m];
             meshes.bind(scene, scene.passes[i], m, time, uses);
             applyLineAndPoint(model);
-            pipeline->placeModel(scene, model, meshes.hasColors(), time);
+            pipeline->beginModel(scene, i, m, meshes.hasColors(), time);
             errors.check([&] { return fmt::format("models[{}]: glMaterial, glLineWidth, glPointSize", m); });
             meshes.draw();
+            pipeline->endModel();
         }
+        pipeline->endPass();
         errors.check([&] { return fmt::format("{}: glDrawRangeElements", where); });
     }
 }

@@ -8,6 +8,7 @@
 #include "texplorer/glsl/vertex_attributes.h"
 #include "texplorer/scene/animation.h"
 #include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/texture_matrix.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
@@ -74,8 +75,7 @@ glm::mat4 flippedMatrix() {
     return flip;
 }
 
-void setUnit(const ShaderProgram& program, int index, const Unit& unit, const glsl::SampledUnit& sampled,
-             const BoundTexture& texture, double time, const Light& light) {
+void setUnit(const ShaderProgram& program, int index, const Unit& unit, const BoundTexture& texture) {
     const std::string number = std::to_string(index);
     program.set("texture" + number, index);
     program.set("environmentColor" + number, glm::clamp(unit.envColor, 0.0F, 1.0F));
@@ -84,11 +84,6 @@ void setUnit(const ShaderProgram& program, int index, const Unit& unit, const gl
     setTexGen(program, fmt::format("plane{}t", number), unit.texGenT);
     setTexGen(program, fmt::format("plane{}r", number), unit.texGenR);
     setTexGen(program, fmt::format("plane{}q", number), unit.texGenQ);
-    if (glsl::hasTextureMatrix(unit, sampled)) {
-        const glm::mat4 matrix = textureMatrix(unit.matrix, time, light);
-        program.set("textureMatrix" + number,
-                    sampled.lateFlip == LateFlip::Matrix ? flippedMatrix() * matrix : matrix);
-    }
 }
 
 class ShaderPipeline : public Pipeline {
@@ -117,17 +112,17 @@ public:
     }
 
     [[nodiscard]] bool beginPass(const Scene& scene, std::size_t pass, const BoundTextures& textures,
-                                 double time, GlErrors& errors) override {
+                                 double /*time*/, GlErrors& errors) override {
         const std::string where = fmt::format("passes[{}]", pass);
-        const glsl::SampledUnits units = sampledUnits(textures);
-        program_ = programOf(scene, pass, units, where, errors);
+        units_ = sampledUnits(textures);
+        program_ = programOf(scene, pass, units_, where, errors);
         if (!program_)
             return false;
         program_->use();
         setPass(*program_, scene, scene.passes[pass]);
         for (int i = 0; i < maxUnits; ++i) {
             const auto at = static_cast<std::size_t>(i);
-            if (!units[at])
+            if (!units_[at])
                 continue;
             const Unit& unit = scene.passes[pass].units[at];
             glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
@@ -138,7 +133,7 @@ public:
             if (textures[at].hasDepths)
                 glTexParameteri(target, GL_DEPTH_TEXTURE_MODE, GL_LUMINANCE);
             glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 0); // it is added to that of the shader
-            setUnit(*program_, i, unit, *units[at], textures[at], time, scene.light);
+            setUnit(*program_, i, unit, textures[at]);
         }
         errors.check([&] { return fmt::format("{}: glUniform", where); });
         return true;
@@ -150,7 +145,9 @@ public:
 
     [[nodiscard]] std::uint64_t revision() const override { return revision_; }
 
-    void placeModel(const Scene& scene, const Model& model, bool colored, double time) override {
+    void beginModel(const Scene& scene, std::size_t pass, std::size_t modelIndex, bool colored,
+                    double time) override {
+        const Model& model = scene.models[modelIndex];
         const glm::mat4 modelView = modelViewMatrix(scene.view, model, time);
         const Material& material = materialOf(scene, model);
         if (!colored)
@@ -159,6 +156,13 @@ public:
         program_->set("modelView", modelView);
         program_->set("modelViewProjection", projection_ * modelView);
         program_->set("normalMatrix", glm::transpose(glm::inverse(glm::mat3(modelView))));
+        for (std::size_t u = 0; u < units_.size(); ++u) {
+            if (!units_[u])
+                continue;
+            const glm::mat4 matrix = textureMatrix(scene, pass, u, modelIndex, time);
+            program_->set(fmt::format("textureMatrix{}", u),
+                          units_[u]->lateFlip == LateFlip::Matrix ? flippedMatrix() * matrix : matrix);
+        }
     }
 
 private:
@@ -222,6 +226,7 @@ private:
 
     std::map<std::pair<std::string, std::string>, Compiled> programs_; // keyed by their two sources
     const ShaderProgram* program_ = nullptr;                           // of the current pass
+    glsl::SampledUnits units_;                                         // of the current pass
     glm::mat4 projection_{1};
     std::vector<std::shared_ptr<const view::PassShader>> shaders_; // of this frame
     std::uint64_t revision_ = 0;                                   // of the pieces in use

@@ -3,6 +3,7 @@
 #include "texplorer/conform/lambda_range.h"
 #include "texplorer/reference/sampling/lod.h"
 #include "texplorer/reference/shading/coordinate_reach.h"
+#include "texplorer/scene/texture_matrix.h"
 
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
@@ -24,16 +25,17 @@ constexpr std::array rhoMethods{reference::RhoMethod::Ideal, reference::RhoMetho
 constexpr float texelError = 1.0F / 128;    // dEQP: uvwBits = 7
 constexpr float coordinateError = 0x1p-20F; // of a coordinate itself; dEQP: coordBits = 20
 
-template<class Each> ///< each(pass, number of the unit, texture)
+template<class Each> ///< each(number of the pass, number of the unit, texture)
 void forEachUnit(Scene& scene, Each each) {
-    for (Pass& pass : scene.passes) {
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        const Pass& pass = scene.passes[p];
         if (!pass.enabled)
             continue;
         for (std::size_t u = 0; u < pass.units.size(); ++u) {
             const Unit& unit = pass.units[u];
             const auto texture = static_cast<std::size_t>(unit.texture); // of a negative number: beyond all
             if (unit.enabled && texture < scene.textures.size())
-                each(pass, u, scene.textures[texture]);
+                each(p, u, scene.textures[texture]);
         }
     }
 }
@@ -41,13 +43,15 @@ void forEachUnit(Scene& scene, Each each) {
 /// Coordinates of all units moved by the error of a texel or by their own, where that is larger, to one side
 /// of each axis; after the texture matrix.
 Scene moved(Scene scene, const ImageSource& images, glm::vec3 sides) {
-    forEachUnit(scene, [&](Pass& pass, std::size_t u, const Texture& texture) {
-        const glm::vec3 reach = reference::coordinateReach(scene, pass, u, 0);
-        Unit& unit = pass.units[u];
+    forEachUnit(scene, [&](std::size_t p, std::size_t u, const Texture& texture) {
+        const glm::vec3 reach = reference::coordinateReach(scene, p, u, 0);
+        Unit& unit = scene.passes[p].units[u];
         glm::vec3 size = baseSizeOf(texture, unit.target, images);
         if (unit.target == Target::CubeMap) // all three are components of a direction
             size = glm::vec3(size.x);
         const glm::vec3 amount = sides * glm::max(texelError / size, coordinateError * reach);
+        if (!inheritedSteps(scene, p, u).empty())
+            return; // they have been moved
         // A step that loads a matrix makes void what stands before it.
         const auto load = std::find_if(unit.matrix.rbegin(), unit.matrix.rend(),
                                        [](const MatrixStep& step) { return step.op == MatrixOp::Load; });
@@ -62,7 +66,7 @@ Scene moved(Scene scene, const ImageSource& images, glm::vec3 sides) {
 /// Whether colours run from one to the next, so that everything between two ends is possible.
 bool blends(Scene scene, Tolerance tolerance) {
     bool found = false;
-    forEachUnit(scene, [&](const Pass&, std::size_t, const Texture& texture) {
+    forEachUnit(scene, [&](std::size_t, std::size_t, const Texture& texture) {
         found = found || reference::blendsLevels(texture.minFilter) ||
                 (tolerance == Tolerance::TexelEdge &&
                  (reference::isLinear(texture.minFilter) || texture.magFilter == MagFilter::Linear));

@@ -123,7 +123,7 @@ void farCoordinates(const Case& about, Report& report) {
             return;
         const Pass& pass = about.scene.passes[p];
         const auto index = static_cast<std::size_t>(&unit - pass.units.data());
-        const glm::vec3 reach = reference::coordinateReach(about.scene, pass, index, 0);
+        const glm::vec3 reach = reference::coordinateReach(about.scene, p, index, 0);
         const PlannedLevel& base = facts->plan.levels.front();
         const glm::vec3 texels = reach * glm::vec3(base.width, base.height, base.depth);
         float most = 0;

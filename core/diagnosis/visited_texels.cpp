@@ -35,7 +35,8 @@ constexpr int placesInRow = 8; ///< that are looked at
 /// The passes that show a texture, with the units that do.
 std::vector<PassState> passesOf(const SampledTexture& texture, const TextureUse& use) {
     std::vector<PassState> states;
-    for (const Pass& pass : use.scene.passes) {
+    for (std::size_t p = 0; p < use.scene.passes.size(); ++p) {
+        const Pass& pass = use.scene.passes[p];
         PassState state;
         state.pass = &pass;
         state.perspective = use.scene.view.perspectiveHint != HintMode::Fastest;
@@ -48,7 +49,7 @@ std::vector<PassState> passesOf(const SampledTexture& texture, const TextureUse&
             shown.unit = &unit;
             shown.sampling.unitBias = unit.lodBias;
             shown.sampling.anisotropy = reference::AnisotropyMethod::Ellipse;
-            shown.matrix = reference::coordinateMatrix(unit, LateFlip::None, use.time, use.scene.light);
+            shown.matrices = reference::coordinateMatrices(use.scene, p, u, LateFlip::None, use.time);
             state.unitsUsed = static_cast<int>(u) + 1;
         }
         if (state.unitsUsed > 0)

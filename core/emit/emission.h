@@ -5,7 +5,7 @@
 #include "texplorer/emit/model_data.h"
 #include "texplorer/emit/program.h"
 #include "texplorer/scene/params/keys.h"
-#include "texplorer/scene/scene.h"
+#include "texplorer/scene/texture_matrix.h"
 
 #include <array>
 #include <memory>
@@ -37,6 +37,20 @@ struct FrameStart {
     std::array<bool, maxUnits> mayShow{};
     std::array<bool, maxUnits> hasMatrix{};
     bool unitIsUnknown = false; ///< of glActiveTexture
+};
+
+/// What is on top of a unit's texture matrix stack.
+struct StackTop {
+    bool flips = false; ///< it begins with t -> 1 - t
+    PlacedSteps steps{};
+
+    bool operator==(const StackTop&) const = default;
+};
+
+/// What glPopMatrix will bring back.
+struct PushedMatrix {
+    std::size_t unit;
+    std::optional<StackTop> top;
 };
 
 /// Why a flavour can't say a parameter, in one sentence.
@@ -89,7 +103,12 @@ struct Emission {
     int activeUnit = 0;
     std::array<std::optional<Target>, maxUnits> shown{};
     std::array<bool, maxUnits> mayShow{}; ///< or not
-    std::array<bool, maxUnits> hasMatrix{};
+    /// Of the texture matrices; nothing where it isn't known.
+    std::array<std::optional<StackTop>, maxUnits> stacks{StackTop{}, StackTop{}, StackTop{}, StackTop{}};
+    std::vector<PushedMatrix> pushedByPass{};
+    std::vector<PushedMatrix> pushedByModel{};
+    std::array<bool, maxUnits> isFresh{}; ///< the matrix has been set since the last model was drawn
+    bool hasPopped = false;               ///< a matrix since the last model was drawn
 
     /// What variables of a pass begin with; nothing where there is only one.
     [[nodiscard]] std::string passVariable(std::size_t pass) const;
@@ -172,10 +191,17 @@ void writeUnits(Emission& emission, std::size_t pass);
 /// "glBindTexture(GL_TEXTURE_2D, textures[0]);" of a unit that is on; empty: there is no such texture.
 [[nodiscard]] std::vector<Part> bindingCall(Emission& emission, const Unit& unit,
                                             const std::string& unitPath);
-/// The first step of a unit's matrix that counts: those before one that loads a matrix are void.
-[[nodiscard]] std::size_t firstStep(const Unit& unit);
-/// Whether the matrix of a unit of a pass changes with the time.
-[[nodiscard]] bool movesMatrix(const Emission& emission, std::size_t pass, std::size_t unit);
+/// "passes[0].units[1].matrix[2]"
+[[nodiscard]] std::string stepPath(const PlacedStep& placed, std::size_t unit);
+/// Whether any of a unit's steps changes with the time.
+[[nodiscard]] bool anyMoves(const Emission& emission, const PlacedSteps& steps, std::size_t unit);
+/// Whether any model that a pass draws has steps for a unit that is on.
+[[nodiscard]] bool modelsHaveSteps(const Scene& scene, std::size_t pass);
+/// The calls for the texture matrix stacks: when a pass begins, around each model, and after the pass.
+void writePassMatrix(Emission& emission, std::size_t pass, std::size_t unit, const std::string& variable);
+void writeModelMatrices(Emission& emission, std::size_t pass, std::size_t model);
+void endModelMatrices(Emission& emission);
+void endPassMatrices(Emission& emission);
 /// What moves of units, in every frame where nothing else of them is set.
 void writeMovingUnits(Emission& emission, std::size_t pass);
 /// "sphere(32, 16)": what makes a Mesh of a shape that is turned about an axis.

@@ -163,6 +163,8 @@ public:
 
     void draw(const Pass& pass) {
         writer_.heading(fmt::format("model {}: {}", index_, nameOf(model_)));
+        const auto passIndex = static_cast<std::size_t>(&pass - emission_.scene.passes.data());
+        writeModelMatrices(emission_, passIndex, index_);
         writer_.add("glPushMatrix();", movesMatrix());
         place();
         writeMaterial(emission_, index_);
@@ -186,6 +188,7 @@ public:
         if (isColored()) // glColor is the last vertex's
             writer_.forget(fmt::format("{}.{}", keyOf<&Scene::material>(), keyOf<&Material::color>()));
         writer_.add("glPopMatrix();", movesMatrix());
+        endModelMatrices(emission_);
     }
 
 private:
@@ -496,7 +499,7 @@ private:
         if (emission_.needsNormals)
             pointer(normalArray, "glNormalPointer(", "normal");
         for (std::size_t u = 0; u < maxUnits; ++u) {
-            if (!takesCoords(pass, u, model_))
+            if (!takesCoords(emission_.scene, pass, u, model_))
                 continue;
             writer_.add(fmt::format("glClientActiveTexture({});", textureUnitName(u)),
                         u != 0 || isSecond(pass));
@@ -530,7 +533,7 @@ private:
     /// Whether a unit beside the first takes coordinates.
     [[nodiscard]] bool isSecond(const Pass& pass) const {
         for (std::size_t u = 1; u < maxUnits; ++u) {
-            if (takesCoords(pass, u, model_))
+            if (takesCoords(emission_.scene, pass, u, model_))
                 return true;
         }
         return false;
@@ -564,7 +567,7 @@ private:
     void drawArrays(const Pass& pass) {
         writeSize();
         for (std::size_t u = 0; u < maxUnits; ++u) {
-            if (takesCoords(pass, u, model_) && pass.units[u].emboss.enabled)
+            if (takesCoords(emission_.scene, pass, u, model_) && pass.units[u].emboss.enabled)
                 moveCoords(pass, u);
         }
         writer_.add("glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);");
@@ -575,7 +578,7 @@ private:
             point(colorArray, "glColorPointer(4, ", "Colors");
         for (std::size_t u = 0; u < maxUnits; ++u) {
             const Unit& unit = pass.units[u];
-            if (!takesCoords(pass, u, model_))
+            if (!takesCoords(emission_.scene, pass, u, model_))
                 continue;
             writer_.add(fmt::format("glClientActiveTexture({});", textureUnitName(u)),
                         u != 0 || isSecond(pass));

@@ -1,128 +1,27 @@
 #include "texplorer/emit/emission.h"
 #include "texplorer/gl/argument_names.h"
-#include "texplorer/scene/animation.h"
 #include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace texplorer::emit {
 namespace {
 
-/// The three numbers of a vector that changes with time, "1.0f, 0.0f + 0.5f * seconds, 0.0f".
-std::vector<Part> movingNumbers(CodeWriter& writer, const glm::vec3& start, const glm::vec3& rate,
-                                const std::string& startPath, const std::string& ratePath) {
-    std::vector<Part> parts;
-    const bool moves = writer.moves(ratePath);
-    for (int i = 0; i < 3; ++i) {
-        if (i > 0)
-            parts.push_back(plain(", "));
-        append(parts, moving(writer, number(start[i], startPath, i), number(rate[i], ratePath, i),
-                             moves || rate[i] != 0));
-    }
-    return parts;
-}
-
-/// The calls of one step of a texture matrix.
-class StepWriter {
-public:
-    StepWriter(Emission& emission, const Holder& unit, std::size_t index)
-        : emission_(emission)
-        , writer_(emission.writer)
-        , step_(static_cast<const Unit*>(unit.values)->matrix[index])
-        , path_(fmt::format("{}.{}", unit.path, elementOf<&Unit::matrix>(index)))
-        , variable_(fmt::format("{}Matrix{}", unit.variable, index)) {}
-
-    void write() {
-        const bool pivots = (step_.op == MatrixOp::Rotate || step_.op == MatrixOp::Scale) &&
-                            (step_.pivot != glm::vec3(0) || writer_.moves(own(keyOf<&MatrixStep::pivot>())));
-        if (pivots)
-            move(false);
-        const std::string angle = own(keyOf<&MatrixStep::angle>());
-        switch (step_.op) {
-        case MatrixOp::Translate:
-            writer_.add(callWith("glTranslatef", amount()));
-            break;
-        case MatrixOp::Rotate: {
-            if (step_.rate == glm::vec3(0) && step_.amount == glm::vec3(0) &&
-                !writer_.moves(own(keyOf<&MatrixStep::rate>())) &&
-                !writer_.moves(own(keyOf<&MatrixStep::amount>())))
-                break; // no axis: OpenGL leaves it undefined
-            const std::string rate = own(keyOf<&MatrixStep::angleRate>());
-            std::vector<Part> arguments =
-                turning(writer_, number(step_.angle, angle), number(step_.angleRate, rate),
-                        step_.angleRate != 0 || writer_.moves(rate));
-            arguments.push_back(plain(", "));
-            append(arguments, amount());
-            writer_.add(callWith("glRotatef", std::move(arguments)),
-                        step_.angle != 0 || step_.angleRate != 0);
-            break;
-        }
-        case MatrixOp::Scale:
-            writer_.add(callWith("glScalef", amount()));
-            break;
-        case MatrixOp::Multiply:
-            matrix("glMultMatrixf", step_.matrix, own(keyOf<&MatrixStep::matrix>()));
-            break;
-        case MatrixOp::Load:
-            matrix("glLoadMatrixf", step_.matrix, own(keyOf<&MatrixStep::matrix>()));
-            break;
-        case MatrixOp::Projector:
-            lightView();
-            break;
-        }
-        if (pivots)
-            move(true);
-    }
-
-private:
-    [[nodiscard]] std::string own(std::string_view key) const { return fmt::format("{}.{}", path_, key); }
-
-    [[nodiscard]] std::vector<Part> amount() const {
-        return movingNumbers(writer_, step_.amount, step_.rate, own(keyOf<&MatrixStep::amount>()),
-                             own(keyOf<&MatrixStep::rate>()));
-    }
-
-    void move(bool back) {
-        writer_.add(callWith("glTranslatef", numbers({&step_.pivot.x, 3}, own(keyOf<&MatrixStep::pivot>()),
-                                                     Literal::Float, back)));
-    }
-
-    void matrix(std::string_view name, const glm::mat4& values, const std::string& path) {
-        const bool moves = writer_.moves(path); // then a variable has all of it
-        if (!moves)
-            writer_.floats(variable_, numbers({glm::value_ptr(values), 16}, path));
-        writer_.add({call(name),
-                     plain("("),
-                     {Part::Kind::Plain, variable_, moves ? path : std::string()},
-                     plain(");")});
-    }
-
-    /// From eye coordinates to the light's picture: as a camera in its place would be set up, and then from
-    /// -1 to 1 to 0 to 1.
-    void lightView() {
-        writer_.add("glTranslatef(0.5f, 0.5f, 0.5f);");
-        writer_.add("glScalef(0.5f, 0.5f, 0.5f);");
-        writeLightProjection(emission_);
-        writeLightView(emission_, variable_);
-    }
-
-    Emission& emission_;
-    CodeWriter& writer_;
-    const MatrixStep& step_;
-    std::string path_;
-    std::string variable_;
-};
-
-/// Whether the matrix of some unit that is on does.
-bool movesSomeMatrix(const Emission& emission, std::size_t pass) {
+/// Whether the matrices of a pass are set in every frame: then those of all its units are, for when one is,
+/// Mesa 22.3 forgets those that aren't.
+bool areMatricesOfFrame(const Emission& emission, std::size_t pass) {
+    const Scene& scene = emission.scene;
     for (std::size_t i = 0; i < maxUnits; ++i) {
-        if (emission.scene.passes[pass].units[i].enabled && movesMatrix(emission, pass, i))
+        const Unit& unit = scene.passes[pass].units[i];
+        PlacedSteps steps;
+        pushSteps(scene, pass, i, std::nullopt, steps);
+        if (unit.enabled && (unit.matrixStart != MatrixStart::Identity || anyMoves(emission, steps, i)))
             return true;
     }
-    return false;
+    return modelsHaveSteps(scene, pass);
 }
 
 class UnitWriter {
@@ -131,7 +30,7 @@ public:
         : emission_(emission)
         , writer_(emission.writer)
         , unit_(emission.scene.passes[pass].units[index])
-        , movesSomeMatrix_(movesSomeMatrix(emission, pass))
+        , areMatricesOfFrame_(areMatricesOfFrame(emission, pass))
         , pass_(pass)
         , index_(index)
         , holder_{unitTable(),
@@ -149,6 +48,7 @@ public:
         const std::size_t start = writer_.size();
         writer_.heading(fmt::format("unit {}", index_));
         activate(emission_.activeUnit != static_cast<int>(index_));
+        const int unitBefore = std::exchange(emission_.activeUnit, static_cast<int>(index_));
         const std::size_t size = writer_.size();
         writer_.take(Taking::Moving);
         if (const std::vector<Part> parts = switching(true, unit_.target); writer_.takes(parts))
@@ -156,12 +56,12 @@ public:
         bind();
         writeRows();
         writer_.take(Taking::All);
-        if (movesSomeMatrix_)
-            writeMatrix();
-        if (writer_.size() == size)
+        if (areMatricesOfFrame_)
+            writePassMatrix(emission_, pass_, index_, holder_.variable);
+        if (writer_.size() == size) {
             writer_.truncate(start);
-        else
-            emission_.activeUnit = static_cast<int>(index_);
+            emission_.activeUnit = unitBefore;
+        }
     }
 
     void write() {
@@ -217,16 +117,16 @@ private:
         emission_.mayShow[index_] = writer_.moves(own(keyOf<&Unit::enabled>()));
         bind();
         writeRows();
-        const bool isLeftToTheFrame = !emission_.inFrame && movesSomeMatrix_;
+        const bool isLeftToTheFrame = !emission_.inFrame && areMatricesOfFrame_;
         if (!isLeftToTheFrame)
-            writeMatrix();
+            writePassMatrix(emission_, pass_, index_, holder_.variable);
     }
 
     /// The environment and the generation of coordinates.
     void writeRows() {
         const std::array taken{memberId<&Unit::enabled>, memberId<&Unit::target>, memberId<&Unit::texture>};
         for (const ParamRow& row : holder_.table.params) {
-            if (std::ranges::find(taken, row.member) == taken.end())
+            if (!row.glCall.empty() && std::ranges::find(taken, row.member) == taken.end())
                 writer_.row(holder_, row);
         }
         if (emission_.keys.mayBe(own(keyOf<&Unit::envMode>()), unit_.envMode,
@@ -291,29 +191,10 @@ private:
         writer_.add("glPopMatrix();", hasCamera);
     }
 
-    void writeMatrix() {
-        bool& hasMatrix = emission_.hasMatrix[index_];
-        const bool flips = emission_.lateFlipOf(pass_, index_) == LateFlip::Matrix;
-        if (unit_.matrix.empty() && !flips && !hasMatrix)
-            return;
-        writer_.add(fmt::format("glMatrixMode({});", textureMode));
-        writer_.add("glLoadIdentity();");
-        if (flips) {
-            writer_.add("glTranslatef(0.0f, 1.0f, 0.0f); /* t becomes 1 - t: the image is upside down */");
-            writer_.add("glScalef(1.0f, -1.0f, 1.0f);");
-        }
-        for (std::size_t i = firstStep(unit_); i < unit_.matrix.size(); ++i)
-            StepWriter(emission_, holder_, i).write();
-        writer_.add(fmt::format("glMatrixMode({});", modelViewMode));
-        hasMatrix = flips || !unit_.matrix.empty();
-    }
-
     Emission& emission_;
     CodeWriter& writer_;
     const Unit& unit_;
-    /// Then the matrices of all units are set in every frame: when one is, Mesa 22.3 forgets those that
-    /// aren't.
-    bool movesSomeMatrix_;
+    bool areMatricesOfFrame_;
     std::size_t pass_;
     std::size_t index_;
     Holder holder_;
@@ -338,26 +219,6 @@ std::vector<Part> bindingCall(Emission& emission, const Unit& unit, const std::s
     const Part index = isOwn(unit.texture) ? whole(unit.texture, path) : plain(fmt::format("{}", object));
     return callWith("glBindTexture",
                     {plain(fmt::format("{}, textures[", rowOf(unit.target).name)), index, plain("]")});
-}
-
-std::size_t firstStep(const Unit& unit) {
-    for (std::size_t i = unit.matrix.size(); i > 0; --i) {
-        if (unit.matrix[i - 1].op == MatrixOp::Load)
-            return i - 1;
-    }
-    return 0;
-}
-
-bool movesMatrix(const Emission& emission, std::size_t pass, std::size_t index) {
-    const Unit& unit = emission.scene.passes[pass].units[index];
-    return emission.keys.movesBelow(unitPath(pass, index, {keyOf<&Unit::matrix>() + "["})) ||
-           std::any_of(unit.matrix.begin() + static_cast<std::ptrdiff_t>(firstStep(unit)), unit.matrix.end(),
-                       [](const MatrixStep& step) {
-                           return step.op != MatrixOp::Multiply && step.op != MatrixOp::Load &&
-                                  step.op != MatrixOp::Projector &&
-                                  (step.rate != glm::vec3(0) ||
-                                   (step.op == MatrixOp::Rotate && step.angleRate != 0));
-                       });
 }
 
 void writeMovingUnits(Emission& emission, std::size_t pass) {

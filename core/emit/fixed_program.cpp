@@ -105,7 +105,7 @@ public:
         for (std::size_t i = 0; i < maxUnits; ++i) {
             found.mayShow[i] = emission_.shown[i] != shownBefore_[i];
             found.shown[i] = emission_.shown[i] ? emission_.shown[i] : shownBefore_[i];
-            found.hasMatrix[i] = emission_.hasMatrix[i];
+            found.hasMatrix[i] = emission_.stacks[i] != StackTop{};
         }
         found.unitIsUnknown = emission_.activeUnit != unitBefore_;
         return found;
@@ -168,7 +168,8 @@ private:
             if (start_.mayShow[i])
                 emission_.shown[i] = start_.shown[i];
             emission_.mayShow[i] = start_.mayShow[i];
-            emission_.hasMatrix[i] |= start_.hasMatrix[i];
+            if (start_.hasMatrix[i])
+                emission_.stacks[i].reset();
         }
         if (start_.unitIsUnknown)
             emission_.activeUnit = -1;
@@ -196,6 +197,7 @@ private:
                 writeMovingPass(pass);
             for (const std::size_t model : drawnModels(emission_.scene, emission_.scene.passes[pass]))
                 writeModel(emission_, pass, model);
+            endPassMatrices(emission_);
         }
         writer_.close();
     }

@@ -63,8 +63,11 @@ void writeGlslPassSetup(GlslEmission& glsl, const GlslPass& pass);
 void writeGlslUniforms(GlslEmission& glsl, const GlslPass& pass);
 /// Depth test, blending, textures: what is the same for all models.
 void writeGlslPassState(GlslEmission& glsl, const GlslPass& pass);
-/// The texture matrices that move.
-void writeGlslMovingMatrices(GlslEmission& glsl, const GlslPass& pass);
+/// When shaders are given a texture matrix: with what no frame changes, in every frame, or for each model.
+enum class MatrixTime : std::uint8_t { Once, Frame, Model };
+/// The matrix of a unit, if it is given then. `model`: for which, of those that have another than others.
+void writeGlslMatrix(GlslEmission& glsl, const GlslPass& pass, std::size_t unit, MatrixTime time,
+                     std::size_t model = 0);
 /// The material of a model where others have another; the colour of its vertices.
 void writeGlslMaterial(GlslEmission& glsl, const GlslPass& pass, std::size_t model);
 

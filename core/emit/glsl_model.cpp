@@ -114,6 +114,8 @@ public:
         writer_.add(fmt::format("place({}projection, {});",
                                 glsl_.passes.size() > 1 ? pass.program + ", " : std::string(), modelView));
         writeGlslMaterial(glsl_, pass, index_);
+        for (std::size_t u = 0; u < maxUnits; ++u)
+            writeGlslMatrix(glsl_, pass, u, MatrixTime::Model, index_);
         writeSize();
         for (std::size_t unit = 0; unit < maxUnits; ++unit) {
             if (array.coords[unit] == CoordForm::Embossed && pass.units[unit])

@@ -264,7 +264,8 @@ private:
             } else
                 writeMovingState(pass);
             writeMovingUniforms(pass);
-            writeGlslMovingMatrices(glsl_, pass);
+            for (std::size_t u = 0; u < maxUnits; ++u)
+                writeGlslMatrix(glsl_, pass, u, MatrixTime::Frame);
             for (const std::size_t model : drawnModels(emission_.scene, drawn))
                 writeGlslModel(glsl_, pass, model);
         }

@@ -3,6 +3,7 @@
 #include "texplorer/emit/program.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/texture_matrix.h"
 
 #include <glm/geometric.hpp>
 
@@ -51,13 +52,16 @@ bool isTurned(Shape shape) {
            shape == Shape::PartialDisk || shape == Shape::Torus;
 }
 
-bool takesCoords(const Pass& pass, std::size_t index, const Model& model) {
+bool takesCoords(const Scene& scene, const Pass& pass, std::size_t index, const Model& model) {
     const Unit& unit = pass.units[index];
     if (!unit.enabled)
         return false;
     const std::array generated{unit.texGenS.enabled, unit.texGenT.enabled, unit.texGenR.enabled,
                                unit.texGenQ.enabled};
-    const bool looksAtAll = !unit.matrix.empty() || givesRorQ(model, index);
+    const bool looksAtAll = !textureSteps(scene, static_cast<std::size_t>(&pass - scene.passes.data()), index,
+                                          static_cast<std::size_t>(&model - scene.models.data()))
+                                 .empty() ||
+                            givesRorQ(model, index);
     const int looked = looksAtAll ? 4 : coordinatesOf(unit.target);
     return !std::all_of(generated.begin(), generated.begin() + looked, [](bool on) { return on; });
 }
@@ -81,8 +85,8 @@ ModelForm formOf(const Scene& scene, std::size_t index, bool flips) {
         passes += static_cast<int>(std::ranges::count(drawn, index));
         for (std::size_t u = 0; u < maxUnits && std::ranges::find(drawn, index) != drawn.end(); ++u) {
             const Unit& unit = pass.units[u];
-            form.coords[u] |= takesCoords(pass, u, model) && !unit.emboss.enabled;
-            form.embossed[u] |= takesCoords(pass, u, model) && unit.emboss.enabled;
+            form.coords[u] |= takesCoords(scene, pass, u, model) && !unit.emboss.enabled;
+            form.embossed[u] |= takesCoords(scene, pass, u, model) && unit.emboss.enabled;
         }
     }
     if (passes == 0)

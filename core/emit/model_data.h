@@ -30,8 +30,8 @@ struct ModelForm {
 };
 
 /// Whether any coordinate that a unit of a pass looks at comes from the model's vertices. A texture matrix
-/// looks at all four.
-[[nodiscard]] bool takesCoords(const Pass& pass, std::size_t unit, const Model& model);
+/// looks at all four. The pass and the model are the scene's.
+[[nodiscard]] bool takesCoords(const Scene& scene, const Pass& pass, std::size_t unit, const Model& model);
 
 /// `flips`: whether t of its coordinates is turned around for some unit.
 [[nodiscard]] ModelForm formOf(const Scene& scene, std::size_t model, bool flips);

@@ -5,6 +5,7 @@
 #include "texplorer/glsl/vertex_attributes.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/texture_matrix.h"
 
 #include <fmt/core.h>
 
@@ -95,8 +96,9 @@ constexpr std::array coordinates{Coordinate{'s', 's', &Unit::texGenS}, Coordinat
 /// Everything that both stages are written from.
 struct Plan {
     const Scene& scene;
-    const Pass& pass;
+    std::size_t index;
     const SampledUnits& units;
+    const Pass& pass = scene.passes[index];
 
     [[nodiscard]] bool separateSpecular() const {
         return pass.lighting && scene.light.colorControl == ColorControl::SeparateSpecular;
@@ -127,6 +129,12 @@ struct Plan {
         });
     }
 
+    /// Whether the coordinates of one of its units, which forEachUnit gives, have a texture matrix.
+    [[nodiscard]] bool hasMatrix(const Unit& unit) const {
+        const auto number = static_cast<std::size_t>(&unit - pass.units.data());
+        return hasTextureMatrix(scene, index, number, *units[number]);
+    }
+
     void forEachUnit(auto each) const {
         for (std::size_t i = 0; i < units.size(); ++i) {
             if (units[i])
@@ -152,7 +160,7 @@ void writeLighting(Writer& body, const Plan& plan) {
     body.add("lighting", "end back");
 }
 
-void writeCoordinate(Writer& body, const Unit& unit, const SampledUnit& sampled, const std::string& index) {
+void writeCoordinate(Writer& body, const Plan& plan, const Unit& unit, const std::string& index) {
     body.add("vertex", "coordinate", {{"UNIT", index}});
     for (const Coordinate& coordinate : coordinates) {
         const TexGen& generated = unit.*coordinate.state;
@@ -162,7 +170,7 @@ void writeCoordinate(Writer& body, const Unit& unit, const SampledUnit& sampled,
                       {"COORD", std::string(1, coordinate.name)},
                       {"MEMBER", std::string(1, coordinate.member)}});
     }
-    body.add("vertex", hasTextureMatrix(unit, sampled) ? "coordinate with matrix" : "coordinate as it is",
+    body.add("vertex", plan.hasMatrix(unit) ? "coordinate with matrix" : "coordinate as it is",
              {{"UNIT", index}});
 }
 
@@ -172,8 +180,8 @@ Result<StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
         writeLighting(body, plan);
     else
         body.add("vertex", "unlit");
-    plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
-        writeCoordinate(body, unit, sampled, index);
+    plan.forEachUnit([&](const Unit& unit, const SampledUnit&, const std::string& index) {
+        writeCoordinate(body, plan, unit, index);
         if (plan.affine()) // `noperspective` would say it, but Mesa 22.3 goes wrong where it clips
             body.add("vertex", "coordinate without perspective", {{"UNIT", index}});
     });
@@ -208,13 +216,13 @@ Result<StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
         stage.add("lighting", "uniforms");
     if (body.mentions("materialDiffuse"))
         stage.add("lighting", "material uniforms");
-    plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
+    plan.forEachUnit([&](const Unit& unit, const SampledUnit&, const std::string& index) {
         for (const Coordinate& coordinate : coordinates) {
             const std::string name(1, coordinate.name);
             if (body.mentions(fmt::format("plane{}{}", index, name)))
                 stage.add("texgen", "plane", {{"UNIT", index}, {"COORD", name}});
         }
-        if (hasTextureMatrix(unit, sampled))
+        if (plan.hasMatrix(unit))
             stage.add("vertex", "texture matrix", {{"UNIT", index}});
     });
     stage.add("vertex", "outputs " + plan.shading());
@@ -414,13 +422,17 @@ Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) 
 
 } // namespace
 
-bool hasTextureMatrix(const Unit& unit, const SampledUnit& sampled) {
-    return !unit.matrix.empty() || sampled.lateFlip == LateFlip::Matrix;
+bool hasTextureMatrix(const Scene& scene, std::size_t pass, std::size_t unit, const SampledUnit& sampled) {
+    return sampled.lateFlip == LateFlip::Matrix ||
+           !scene.passes[pass].units[unit].matrix.empty() || // also where it draws nothing
+           std::ranges::any_of(drawnModels(scene, scene.passes[pass]), [&](std::size_t model) {
+               return !textureSteps(scene, pass, unit, model).empty();
+           });
 }
 
 Result<ShaderSource> shaderSource(const Scene& scene, std::size_t pass, const SampledUnits& units,
                                   const ShaderPieces& pieces) {
-    const Plan plan{scene, scene.passes[pass], units};
+    const Plan plan{scene, pass, units};
     Result<StageSource> vertex = vertexStage(plan, pieces);
     if (!vertex)
         return fail(vertex.error());

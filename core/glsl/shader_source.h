@@ -38,7 +38,8 @@ using SampledUnits = std::array<std::optional<SampledUnit>, maxUnits>;
                                                 const SampledUnits& units,
                                                 const ShaderPieces& pieces = ShaderPieces::embedded());
 
-/// Whether a unit's coordinates are transformed by a texture matrix.
-[[nodiscard]] bool hasTextureMatrix(const Unit& unit, const SampledUnit& sampled);
+/// Whether a unit's coordinates are transformed by a texture matrix, whichever model the pass draws.
+[[nodiscard]] bool hasTextureMatrix(const Scene& scene, std::size_t pass, std::size_t unit,
+                                    const SampledUnit& sampled);
 
 } // namespace texplorer::glsl

@@ -50,6 +50,7 @@ void takeGivenCoordinates(Unit& unit, Target target) {
     generateNothing(unit);
     unit.target = target;
     unit.matrix.clear();
+    unit.matrixStart = MatrixStart::Identity;
 }
 
 Result<std::size_t> freeUnit(const PresetTarget& target) {

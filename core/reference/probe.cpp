@@ -13,6 +13,7 @@
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/tex_coords.h"
+#include "texplorer/scene/texture_matrix.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
@@ -178,8 +179,9 @@ void Prober::draw(const PassState& pass, std::size_t passIndex, std::size_t mode
                   const glm::mat4& projection) {
     const Model& model = scene_.models[modelIndex];
     const Mesh mesh = meshOf(model);
-    const VertexStage stage(scene_, pass, model, mesh, modelViewMatrix(scene_.view, model, explanation_.time),
-                            projection, {viewport_.width, viewport_.height, viewport_.cornerBits});
+    const VertexStage stage(scene_, pass, modelIndex, mesh,
+                            modelViewMatrix(scene_.view, model, explanation_.time), projection,
+                            {viewport_.width, viewport_.height, viewport_.cornerBits});
     std::vector<glm::vec4> clipped;
     clipped.reserve(mesh.vertices.size());
     for (const Vertex& vertex : mesh.vertices)
@@ -263,6 +265,21 @@ std::vector<LevelExtent> extentsOf(const SampledTexture& texture, const SampleRe
     return extents;
 }
 
+/// Whose the steps of a unit's matrix are, in their order.
+std::vector<MatrixPart> matrixParts(const Scene& scene, const FragmentExplanation& fragment,
+                                    std::size_t unit) {
+    std::vector<MatrixPart> parts;
+    for (const PlacedStep& placed : textureSteps(scene, static_cast<std::size_t>(fragment.pass), unit,
+                                                 static_cast<std::size_t>(fragment.model))) {
+        const int model = placed.model ? static_cast<int>(*placed.model) : -1;
+        if (parts.empty() || parts.back().pass != static_cast<int>(placed.pass) ||
+            parts.back().model != model)
+            parts.push_back({static_cast<int>(placed.pass), model, 0});
+        ++parts.back().steps;
+    }
+    return parts;
+}
+
 void Prober::explainUnits(FragmentExplanation& fragment, const Cover& cover, const PassState& pass,
                           const std::vector<VertexRecord>& records, const Coords& given,
                           const Coords& embossed) const {
@@ -297,7 +314,8 @@ void Prober::explainUnits(FragmentExplanation& fragment, const Cover& cover, con
             unit.pixel.generated += weight * steps.generated;
             unit.vertices.push_back(steps);
         }
-        unit.matrix = state.matrix;
+        unit.matrix = state.matrices[static_cast<std::size_t>(fragment.model)];
+        unit.matrixParts = matrixParts(scene_, fragment, u);
         unit.flipped = state.flip == LateFlip::Coordinates;
         const TexturePlace place = texturePlace(cover.triangle, u, offset);
         unit.pixel.transformed = place.homogeneous;

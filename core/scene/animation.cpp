@@ -1,6 +1,7 @@
 #include "texplorer/scene/animation.h"
 
 #include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/texture_matrix.h"
 
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
@@ -70,19 +71,16 @@ glm::dmat4 stepMatrix(const MatrixStep& step, double time, const Light& light) {
     return glm::dmat4(1);
 }
 
-bool isMoving(const MatrixStep& step) {
-    if (step.op == MatrixOp::Multiply || step.op == MatrixOp::Load || step.op == MatrixOp::Projector)
-        return false;
-    return step.rate != glm::vec3(0) || (step.op == MatrixOp::Rotate && step.angleRate != 0);
-}
-
-bool isMoving(const Unit& unit) {
-    return unit.enabled &&
-           std::ranges::any_of(unit.matrix, [](const MatrixStep& step) { return isMoving(step); });
-}
-
-bool isMoving(const Pass& pass) {
-    return std::ranges::any_of(pass.units, [](const Unit& unit) { return isMoving(unit); });
+/// Whether the matrix of a unit that is on does while a pass draws a model.
+bool isMatrixMoving(const Scene& scene, const Pass& pass, std::size_t model) {
+    const auto index = static_cast<std::size_t>(&pass - scene.passes.data());
+    for (std::size_t u = 0; u < maxUnits; ++u) {
+        if (pass.units[u].enabled &&
+            std::ranges::any_of(textureSteps(scene, index, u, model),
+                                [](const PlacedStep& placed) { return isMoving(*placed.step); }))
+            return true;
+    }
+    return false;
 }
 
 } // namespace
@@ -112,6 +110,12 @@ glm::mat4 textureMatrix(std::span<const MatrixStep> steps, double time, const Li
         product = step.op == MatrixOp::Load ? matrix : product * matrix;
     }
     return product;
+}
+
+bool isMoving(const MatrixStep& step) {
+    if (step.op == MatrixOp::Multiply || step.op == MatrixOp::Load || step.op == MatrixOp::Projector)
+        return false;
+    return step.rate != glm::vec3(0) || (step.op == MatrixOp::Rotate && step.angleRate != 0);
 }
 
 LightView lightView(const Light& light) {
@@ -187,10 +191,9 @@ bool isAnimated(const Scene& scene) {
     if (isMoving(scene.timeline))
         return true;
     return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
-        const std::vector<std::size_t> drawn = drawnModels(scene, pass);
-        return std::ranges::any_of(
-                   drawn, [&](std::size_t model) { return scene.models[model].spin != glm::vec3(0); }) ||
-               (!drawn.empty() && isMoving(pass));
+        return std::ranges::any_of(drawnModels(scene, pass), [&](std::size_t model) {
+            return scene.models[model].spin != glm::vec3(0) || isMatrixMoving(scene, pass, model);
+        });
     });
 }
 

@@ -12,10 +12,13 @@ namespace texplorer {
 // Functions of the scene time, in seconds, except for key frames: the scene must already be evaluated at that
 // time (sceneAt). Equal inputs give equal matrices in every renderer.
 
-/// The GL_TEXTURE matrix: the product of the steps in order, each at amount + rate * time (OpenGL 2.1,
+/// The product of steps of a texture matrix in order, each at amount + rate * time (OpenGL 2.1,
 /// section 2.11.2). A step that loads a matrix discards those before it. `light` defines the matrix of
 /// MatrixOp::Projector.
 [[nodiscard]] glm::mat4 textureMatrix(std::span<const MatrixStep> steps, double time, const Light& light);
+
+/// Whether the matrix of a step changes with time.
+[[nodiscard]] bool isMoving(const MatrixStep& step);
 
 /// The light's view: its modelview matrix, which starts from eye coordinates, and its projection, whose
 /// picture is square. Both are finite for any light: one at its target looks along -z.

@@ -5,6 +5,10 @@ namespace texplorer {
 Scene initialLike(const Scene& scene) {
     Scene initial;
     initial.models.resize(scene.models.size());
+    for (std::size_t m = 0; m < scene.models.size(); ++m) {
+        for (std::size_t u = 0; u < maxUnits; ++u)
+            initial.models[m].units[u].matrix.resize(scene.models[m].units[u].matrix.size());
+    }
     initial.textures.resize(scene.textures.size());
     for (std::size_t i = 0; i < scene.textures.size(); ++i) {
         initial.textures[i].levels.resize(scene.textures[i].levels.size());

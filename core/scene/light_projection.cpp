@@ -33,6 +33,7 @@ bool castShadows(Scene& scene, std::size_t pass, std::size_t unit) {
     shadowed.target = Target::Texture2D;
     shadowed.envMode = EnvMode::Modulate;
     shadowed.texture = static_cast<int>(scene.textures.size());
+    shadowed.matrixStart = MatrixStart::Identity;
     shadowed.matrix = {{.op = MatrixOp::Translate, .amount = {0, 0, -shadowBias}}};
     if (scene.textures.size() >= maxTextures || !projectFromLight(shadowed))
         return false;

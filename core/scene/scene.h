@@ -42,6 +42,7 @@ inline constexpr std::size_t maxImageSteps = 16;
 enum class Projection : std::uint32_t { Perspective, Orthographic };
 enum class SourceKind : std::uint32_t { Pattern, File, LightDepth };
 enum class MatrixOp : std::uint32_t { Translate, Rotate, Scale, Multiply, Load, Projector };
+enum class MatrixStart : std::uint32_t { Identity, Push, Keep };
 enum class RotationOrder : std::uint32_t { Zyx, Zxy, Yzx, Yxz, Xzy, Xyz };
 enum class Attachment : std::uint32_t { World, Eye };
 enum class LightCarrier : std::uint32_t { Inverse, Transpose };
@@ -105,6 +106,27 @@ struct Material {
 /// The coordinates of every vertex for one texture unit; empty: those of the mesh.
 using TexCoords = std::vector<glm::vec4>;
 
+/// A glTranslate, glRotate, glScale, glMultMatrix or glLoadMatrix on the texture matrix, with its rate of
+/// change; or the projector, which multiplies.
+struct MatrixStep {
+    MatrixOp op = MatrixOp::Translate;
+    glm::vec3 amount{0}; ///< offset, factor or axis of rotation, at time 0
+    glm::vec3 rate{0};   ///< added to `amount` per second
+    float angle = 0;     ///< degrees, only for Rotate, at time 0
+    float angleRate = 0; ///< degrees per second
+    glm::vec3 pivot{0};  ///< the fixed point, for Rotate and Scale
+    glm::mat4 matrix{1}; ///< for Multiply and Load
+
+    bool operator==(const MatrixStep&) const = default;
+};
+
+/// What a model has for one texture unit.
+struct ModelUnit {
+    std::vector<MatrixStep> matrix{}; ///< multiplied after those of the pass: see textureSteps
+
+    bool operator==(const ModelUnit&) const = default;
+};
+
 struct Model {
     std::string name{};
     Shape shape = Shape::Cube;
@@ -129,6 +151,8 @@ struct Model {
     Material material{};                         ///< if ownMaterial
     MeshData mesh{};                             ///< for Shape::Mesh
     std::array<TexCoords, maxUnits> texCoords{}; ///< one list per unit; empty: the mesh's
+    bool pushMatrix = true; ///< glPushMatrix and glPopMatrix around the model: its steps hold for it alone
+    std::array<ModelUnit, maxUnits> units{};
 
     bool operator==(const Model&) const = default;
 };
@@ -180,20 +204,6 @@ struct Texture : SamplerState {
     bool operator==(const Texture&) const = default;
 };
 
-/// A glTranslate, glRotate, glScale, glMultMatrix or glLoadMatrix on the texture matrix, with its rate of
-/// change; or the projector, which multiplies.
-struct MatrixStep {
-    MatrixOp op = MatrixOp::Translate;
-    glm::vec3 amount{0}; ///< offset, factor or axis of rotation, at time 0
-    glm::vec3 rate{0};   ///< added to `amount` per second
-    float angle = 0;     ///< degrees, only for Rotate, at time 0
-    float angleRate = 0; ///< degrees per second
-    glm::vec3 pivot{0};  ///< the fixed point, for Rotate and Scale
-    glm::mat4 matrix{1}; ///< for Multiply and Load
-
-    bool operator==(const MatrixStep&) const = default;
-};
-
 /// How one of s, t, r and q is generated. The eye plane is specified with an identity modelview matrix, so it
 /// is in eye coordinates.
 struct TexGen {
@@ -229,6 +239,7 @@ struct Unit {
     TexGen texGenR{}; ///< cannot be a sphere map
     TexGen texGenQ{}; ///< only eye and object planes
     Emboss emboss{};
+    MatrixStart matrixStart = MatrixStart::Identity;
     std::vector<MatrixStep> matrix{}; ///< multiplied in this order, like successive GL calls
 
     bool operator==(const Unit&) const = default;
@@ -305,6 +316,15 @@ inline constexpr std::array matrixOpRows{
         "coordinates generated in eye space, the light projects the image like a slide."),
 };
 
+inline constexpr std::array matrixStartRows{
+    row(MatrixStart::Identity, "glLoadIdentity", "Identity",
+        "glLoadIdentity: the steps begin with the identity. What earlier passes left is gone."),
+    row(MatrixStart::Push, "glPushMatrix", "Push, pop",
+        "glPushMatrix: the steps multiply what earlier passes left. glPopMatrix restores it after the pass."),
+    row(MatrixStart::Keep, "keep", "Keep",
+        "The steps multiply what earlier passes left, and later passes that keep or push go on from there."),
+};
+
 inline constexpr std::array rotationOrderRows{
     row(RotationOrder::Zyx, "zyx", "x, then y, then z", "glRotatef about z, y, x: x turns the model first."),
     row(RotationOrder::Zxy, "zxy", "y, then x, then z", "glRotatef about z, x, y: y turns the model first."),
@@ -343,6 +363,10 @@ struct EnumTable<MatrixOp> {
     static constexpr std::span<const EnumRow> rows = matrixOpRows;
 };
 template<>
+struct EnumTable<MatrixStart> {
+    static constexpr std::span<const EnumRow> rows = matrixStartRows;
+};
+template<>
 struct EnumTable<RotationOrder> {
     static constexpr std::span<const EnumRow> rows = rotationOrderRows;
 };
@@ -356,7 +380,8 @@ struct EnumTable<LightCarrier> {
 };
 
 static_assert(projectionRows.size() == 2 && sourceKindRows.size() == 3 && matrixOpRows.size() == 6 &&
-              rotationOrderRows.size() == 6 && attachmentRows.size() == 2 && lightCarrierRows.size() == 2);
+              matrixStartRows.size() == 3 && rotationOrderRows.size() == 6 && attachmentRows.size() == 2 &&
+              lightCarrierRows.size() == 2);
 
 /// The scene at the start of Texplorer: a cube and a sphere next to each other, lit, with the checkerboard,
 /// trilinear.

@@ -192,6 +192,16 @@ void fitMesh(MeshData& mesh, Generator& generator, Dice& dice) {
         mesh.indices.push_back(dice.below(static_cast<int>(count)));
 }
 
+/// Texture matrices are those of the passes alone: products of more steps leave little of an image.
+void useOwnMatrices(Scene& scene) {
+    for (Model& model : scene.models)
+        model.units = {};
+    for (Pass& pass : scene.passes) {
+        for (Unit& unit : pass.units)
+            unit.matrixStart = MatrixStart::Identity;
+    }
+}
+
 /// Some of the models, each once and in any order.
 std::vector<int> someModels(const Scene& scene, Dice& dice) {
     std::vector<int> all(scene.models.size());
@@ -247,6 +257,8 @@ void fitKeys(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
 
 /// The relations between members that no row knows.
 void fit(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
+    if (!dice.chance(3))
+        useOwnMatrices(scene);
     for (Model& model : scene.models) {
         if (dice.chance(6)) // more often than as one of many shapes
             model.shape = Shape::Mesh;
@@ -329,9 +341,17 @@ void takeAwayWhatDiffers(Scene& scene) {
         for (glm::vec4& each : list)
             each.q = 1;
     };
+    const auto leaveQ = [](std::vector<MatrixStep>& steps) {
+        for (MatrixStep& step : steps) {
+            for (int column = 0; column < 4; ++column)
+                step.matrix[column].w = column == 3 ? 1.0F : 0.0F;
+        }
+    };
     for (Model& model : scene.models) {
         std::ranges::for_each(model.texCoords, setQ);
         setQ(model.mesh.texCoords);
+        for (ModelUnit& unit : model.units)
+            leaveQ(unit.matrix);
         model.pointSize = std::round(model.pointSize);
         const int width = reference::roundedSize(model.lineWidth);
         model.lineWidth = static_cast<float>(std::max(3, width - (width % 2 == 0 ? 1 : 0)));
@@ -357,10 +377,7 @@ void takeAwayWhatDiffers(Scene& scene) {
     for (Pass& pass : scene.passes) {
         for (Unit& unit : pass.units) {
             unit.texGenQ.enabled = false;
-            for (MatrixStep& step : unit.matrix) {
-                for (int column = 0; column < 4; ++column)
-                    step.matrix[column].w = column == 3 ? 1.0F : 0.0F;
-            }
+            leaveQ(unit.matrix);
             if (!unit.enabled)
                 continue;
             Texture& texture = scene.textures[static_cast<std::size_t>(unit.texture)];

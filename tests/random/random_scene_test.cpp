@@ -55,7 +55,13 @@ TEST(RandomScene, ThatIsComparableHasNoneOfWhatDiffers) {
         const RandomScene random = randomScene(1, number, files);
         if (random.temper != Temper::Comparable)
             continue;
+        const auto expectQ = [number](const std::vector<MatrixStep>& steps) {
+            for (const MatrixStep& step : steps)
+                EXPECT_EQ(glm::transpose(step.matrix)[3], glm::vec4(0, 0, 0, 1)) << number;
+        };
         for (const Model& model : random.scene.models) {
+            for (const ModelUnit& unit : model.units)
+                expectQ(unit.matrix);
             meshes += model.shape == Shape::Mesh ? 1 : 0;
             EXPECT_GE(model.lineWidth, 3) << number;
             EXPECT_EQ(std::lround(model.lineWidth) % 2, 1) << number;
@@ -65,10 +71,8 @@ TEST(RandomScene, ThatIsComparableHasNoneOfWhatDiffers) {
                 EXPECT_EQ(each.q, 1) << number;
         }
         for (const Pass& pass : random.scene.passes) {
-            for (const Unit& unit : pass.units) {
-                for (const MatrixStep& step : unit.matrix)
-                    EXPECT_EQ(glm::transpose(step.matrix)[3], glm::vec4(0, 0, 0, 1)) << number;
-            }
+            for (const Unit& unit : pass.units)
+                expectQ(unit.matrix);
         }
     }
     EXPECT_GT(meshes, 10);

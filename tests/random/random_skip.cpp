@@ -48,7 +48,10 @@ bool mayRunThroughZero(const Scene& scene) {
                }) ||
            std::ranges::any_of(scene.models, [](const Model& model) {
                return std::ranges::any_of(model.texCoords, runsThroughZero) ||
-                      runsThroughZero(model.mesh.texCoords);
+                      runsThroughZero(model.mesh.texCoords) ||
+                      std::ranges::any_of(model.units, [](const ModelUnit& unit) {
+                          return std::ranges::any_of(unit.matrix, mixesQ);
+                      });
            });
 }
 

@@ -35,7 +35,10 @@ void PlaneCoords::follow(const Session& session) {
     const Mesh& mesh = selectedMesh(session);
     Key key{session.mesh.mesh, effectiveTexCoords(*model, mesh, session.look.selection.unit), unit,
             flipOfBound(session, unit)};
-    key.matrix = reference::coordinateMatrix(unit, key.flip, time, scene.light);
+    const Selection& selection = session.look.selection;
+    key.matrix = reference::coordinateMatrix(scene, static_cast<std::size_t>(selection.pass),
+                                             static_cast<std::size_t>(selection.unit),
+                                             static_cast<std::size_t>(selection.model), key.flip, time);
     if (generatesAny(unit) || unit.emboss.enabled)
         key.modelview = modelViewMatrix(scene.view, *model, time);
     if (unit.emboss.enabled)

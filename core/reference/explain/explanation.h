@@ -60,6 +60,13 @@ struct LevelExtent {
     int border = 0;
 };
 
+/// Steps of a texture matrix that follow each other and have one owner.
+struct MatrixPart {
+    int pass = 0;   ///< that multiplied by them
+    int model = -1; ///< whose they are; -1: they are the pass's own
+    std::size_t steps = 0;
+};
+
 /// What a texture unit did to the fragment.
 struct UnitExplanation {
     int unit = 0;
@@ -75,8 +82,9 @@ struct UnitExplanation {
     std::vector<CoordinateSteps> vertices; ///< at the corners
     CoordinateSteps pixel;                 ///< the same at the pixel, interpolated
     glm::mat4 matrix{1};
-    bool flipped = false; ///< first, t became q - t to flip the image
-    glm::vec3 coords{0};  ///< s/q, t/q, r/q
+    std::vector<MatrixPart> matrixParts; ///< where the matrix comes from, in the order of the calls
+    bool flipped = false;                ///< first, t became q - t to flip the image
+    glm::vec3 coords{0};                 ///< s/q, t/q, r/q
     Derivatives derivatives;
 
     // The state that was used at the pixel.

@@ -50,6 +50,24 @@ bool compares(const UnitExplanation& unit) {
     return isDepth(unit.internalFormat) && unit.sampler.compareMode == CompareMode::RToTexture;
 }
 
+/// Where the texture matrix comes from, unless all of it is the pass's.
+void addMatrixParts(Step& step, const FragmentExplanation& fragment, const UnitExplanation& unit) {
+    const auto isOwn = [&](const MatrixPart& part) { return part.pass == fragment.pass && part.model < 0; };
+    if (std::ranges::all_of(unit.matrixParts, isOwn))
+        return;
+    step.rows.push_back({N_("The texture matrix, by the order of the calls:")});
+    for (const MatrixPart& part : unit.matrixParts) {
+        const Sentence steps = Sentence::plural("{0} step", "{0} steps", part.steps);
+        const bool isHere = part.pass == fragment.pass;
+        step.rows.push_back({indented(
+            isOwn(part)      ? Sentence("{0} of the pass", steps)
+            : part.model < 0 ? Sentence("{0} that pass {1} left", steps, part.pass)
+            : !isHere        ? Sentence("{0} that model {1} left in pass {2}", steps, part.model, part.pass)
+            : part.model == fragment.model ? Sentence("{0} of the model", steps)
+                                           : Sentence("{0} that model {1} left", steps, part.model))});
+    }
+}
+
 Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation& unit) {
     const int axes = compares(unit) ? 3 : coordinatesOf(unit.target);
     Step step{StepKind::Coordinates, unit.unit, N_("Texture coordinates"), {}};
@@ -79,6 +97,7 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
                                  : Sentence("{0} is generated at each vertex.", ProperName{generated})});
     if (unit.flipped || !generated.empty())
         stage(N_("generated"), &CoordinateSteps::generated);
+    addMatrixParts(step, fragment, unit);
     if (unit.matrix != glm::mat4(1))
         stage(N_("after the matrix"), &CoordinateSteps::transformed);
     step.rows.push_back(coordinates(N_("over q"), glm::vec4(unit.coords, 0), 3));

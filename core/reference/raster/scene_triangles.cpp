@@ -16,7 +16,7 @@ void eachTriangle(const Scene& scene, std::span<const PassState> passes, double 
         for (const std::size_t index : drawnModels(scene, *pass.pass)) {
             const Model& model = scene.models[index];
             const Mesh mesh = meshOf(model);
-            const VertexStage stage(scene, pass, model, mesh, modelViewMatrix(scene.view, model, time),
+            const VertexStage stage(scene, pass, index, mesh, modelViewMatrix(scene.view, model, time),
                                     projection, {viewport.width, viewport.height, viewport.cornerBits});
             const std::vector<ShadedVertex> vertices =
                 shadeVertices(stage, mesh, givenTexCoords(scene, pass, model, mesh, time), pass);

@@ -13,12 +13,13 @@
 
 namespace texplorer::reference {
 
-glm::vec3 coordinateReach(const Scene& scene, const Pass& pass, std::size_t unit, double time) {
+glm::vec3 coordinateReach(const Scene& scene, std::size_t passIndex, std::size_t unit, double time) {
+    const Pass& pass = scene.passes[passIndex];
     const Unit& state = pass.units[unit];
-    const glm::mat4 matrix = coordinateMatrix(state, LateFlip::None, time, scene.light);
     glm::vec3 reach(0);
     for (const std::size_t index : drawnModels(scene, pass)) {
         const Model& model = scene.models[index];
+        const glm::mat4 matrix = coordinateMatrix(scene, passIndex, unit, index, LateFlip::None, time);
         const Mesh mesh = meshOf(model);
         const TexCoords given = givenTexCoords(scene, pass, static_cast<int>(unit), model, mesh, time);
         const EyeSpace eye(modelViewMatrix(scene.view, model, time));

@@ -1,6 +1,7 @@
 #include "texplorer/reference/shading/coordinates.h"
 
-#include "texplorer/scene/animation.h"
+#include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/texture_matrix.h"
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
@@ -40,9 +41,18 @@ glm::mat4 upsideDown() {
     return glm::scale(glm::translate(glm::mat4(1), {0, 1, 0}), {1, -1, 1});
 }
 
-glm::mat4 coordinateMatrix(const Unit& unit, LateFlip flip, double time, const Light& light) {
-    const glm::mat4 matrix = textureMatrix(unit.matrix, time, light);
+glm::mat4 coordinateMatrix(const Scene& scene, std::size_t pass, std::size_t unit, std::size_t model,
+                           LateFlip flip, double time) {
+    const glm::mat4 matrix = textureMatrix(scene, pass, unit, model, time);
     return flip == LateFlip::Matrix ? upsideDown() * matrix : matrix;
+}
+
+std::vector<glm::mat4> coordinateMatrices(const Scene& scene, std::size_t pass, std::size_t unit,
+                                          LateFlip flip, double time) {
+    std::vector<glm::mat4> matrices(scene.models.size(), glm::mat4(1));
+    for (const std::size_t model : drawnModels(scene, scene.passes[pass]))
+        matrices[model] = coordinateMatrix(scene, pass, unit, model, flip, time);
+    return matrices;
 }
 
 glm::vec4 generatedCoordinates(const Unit& unit, LateFlip flip, glm::vec4 given,

@@ -10,6 +10,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
+#include <vector>
+
 namespace texplorer::reference {
 
 /// Transforms a model's vertices to eye coordinates.
@@ -27,8 +29,14 @@ private:
 /// The matrix that flips an image: t becomes q - t.
 [[nodiscard]] glm::mat4 upsideDown();
 
-/// The matrix of a unit: GL_TEXTURE, after the flip if the image is flipped by the matrix.
-[[nodiscard]] glm::mat4 coordinateMatrix(const Unit& unit, LateFlip flip, double time, const Light& light);
+/// The matrix that a unit has when a pass draws a model: GL_TEXTURE, after the flip if the image is flipped
+/// by the matrix.
+[[nodiscard]] glm::mat4 coordinateMatrix(const Scene& scene, std::size_t pass, std::size_t unit,
+                                         std::size_t model, LateFlip flip, double time);
+
+/// The same for each model of the scene; the identity for those that the pass does not draw.
+[[nodiscard]] std::vector<glm::mat4> coordinateMatrices(const Scene& scene, std::size_t pass,
+                                                        std::size_t unit, LateFlip flip, double time);
 
 /// The coordinates before the matrix.
 [[nodiscard]] glm::vec4 generatedCoordinates(const Unit& unit, LateFlip flip, glm::vec4 given,

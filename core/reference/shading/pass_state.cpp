@@ -8,8 +8,10 @@ namespace texplorer::reference {
 
 namespace {
 
-UnitState unitState(const Pass& pass, const Unit& unit, const StoredTexture& stored, double time,
-                    const Light& light, const SampleOptions& sampling) {
+UnitState unitState(const Scene& scene, std::size_t passIndex, std::size_t unitIndex,
+                    const StoredTexture& stored, double time, const SampleOptions& sampling) {
+    const Pass& pass = scene.passes[passIndex];
+    const Unit& unit = pass.units[unitIndex];
     UnitState state;
     state.texture = stored.complete ? &stored.sampled : nullptr;
     state.unit = &unit;
@@ -19,7 +21,7 @@ UnitState unitState(const Pass& pass, const Unit& unit, const StoredTexture& sto
     state.sampling.seamlessCubeMap = pass.seamlessCubeMap;
     if (state.texture)
         state.sampler = FastSampler(*state.texture, state.sampling);
-    state.matrix = coordinateMatrix(unit, stored.lateFlip, time, light);
+    state.matrices = coordinateMatrices(scene, passIndex, unitIndex, stored.lateFlip, time);
     state.flip = stored.lateFlip;
     return state;
 }
@@ -55,7 +57,7 @@ std::vector<PassState> passStates(const Scene& scene, const ImageSource& images,
                                                         unit.target, images, work, problems);
             if (!stored)
                 continue;
-            state.units[u] = unitState(pass, unit, *stored, time, scene.light, sampling);
+            state.units[u] = unitState(scene, i, u, *stored, time, sampling);
             const SampledTexture* texture = state.units[u].texture;
             if (!texture)
                 continue;

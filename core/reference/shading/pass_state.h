@@ -16,15 +16,15 @@
 
 namespace texplorer::reference {
 
-/// A unit that is used. Its coordinates are matrix * coordinate.
+/// A unit that is used. Its coordinates are matrices[model] * coordinate.
 struct UnitState {
     const SampledTexture* texture = nullptr; ///< nullptr: the unit is off, or its texture is incomplete
     const Unit* unit = nullptr;              ///< the unit in the scene
     glm::vec4 envColor{0};                   ///< clamped
     SampleOptions sampling{};
-    FastSampler sampler{}; ///< of `texture`, with `sampling`
-    glm::mat4 matrix{1};
-    LateFlip flip = LateFlip::None; ///< for Coordinates, t becomes q - t before generation
+    FastSampler sampler{};             ///< of `texture`, with `sampling`
+    std::vector<glm::mat4> matrices{}; ///< for each model of the scene
+    LateFlip flip = LateFlip::None;    ///< for Coordinates, t becomes q - t before generation
 };
 
 /// What a unit with a texture does to the colour.

@@ -9,11 +9,12 @@
 
 namespace texplorer::reference {
 
-VertexStage::VertexStage(const Scene& scene, const PassState& pass, const Model& model, const Mesh& mesh,
+VertexStage::VertexStage(const Scene& scene, const PassState& pass, std::size_t model, const Mesh& mesh,
                          const glm::mat4& modelview, const glm::mat4& projection, const CornerGrid& grid)
     : scene_(scene)
     , pass_(pass)
-    , material_(materialOf(scene, model))
+    , model_(model)
+    , material_(materialOf(scene, scene.models[model]))
     , colored_(mesh.colored)
     , eye_(modelview)
     , clip_(projection * modelview)
@@ -59,7 +60,7 @@ VertexRecord VertexStage::explain(const Vertex& vertex,
         if (!unit.texture)
             continue;
         record.generated[u] = generatedCoordinates(*unit.unit, unit.flip, texCoords[u], inputs);
-        shaded.texCoords[u] = unit.matrix * record.generated[u]; // section 2.11.2
+        shaded.texCoords[u] = unit.matrices[model_] * record.generated[u]; // section 2.11.2
     }
     return record;
 }

@@ -34,7 +34,8 @@ struct CornerGrid {
 /// `modelview` and `projection` as in section 2.11.
 class VertexStage {
 public:
-    VertexStage(const Scene& scene, const PassState& pass, const Model& model, const Mesh& mesh,
+    /// `model` is the index of one of the scene's.
+    VertexStage(const Scene& scene, const PassState& pass, std::size_t model, const Mesh& mesh,
                 const glm::mat4& modelview, const glm::mat4& projection, const CornerGrid& grid);
 
     /// `texCoords` has one coordinate per unit, as given by the scene.
@@ -52,6 +53,7 @@ public:
 private:
     const Scene& scene_;
     const PassState& pass_;
+    std::size_t model_;
     const Material& material_;
     bool colored_; ///< a vertex's colour replaces glColor
     EyeSpace eye_;

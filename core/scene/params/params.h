@@ -115,6 +115,7 @@ struct StructTable {
 [[nodiscard]] const StructTable&
 modelMaterialTable(); ///< of one model: without the members that only the scene's has
 [[nodiscard]] const StructTable& meshTable();
+[[nodiscard]] const StructTable& modelUnitTable();
 [[nodiscard]] const StructTable& textureTable();
 [[nodiscard]] const StructTable& givenLevelTable();
 [[nodiscard]] const StructTable& imageStepTable();

@@ -99,9 +99,12 @@ constexpr std::array modelRows{
                                     "glMultiTexCoord4fv(GL_TEXTURE2, {})", texCoordHelp),
     texCoords<&Model::texCoords, 3>("texCoords3", N_("Texture coordinates"), N_("Unit 3"),
                                     "glMultiTexCoord4fv(GL_TEXTURE3, {})", texCoordHelp),
+    param<&Model::pushMatrix>("pushMatrix", N_("Texture matrix"), N_("Push, pop"), "",
+                              N_("glPushMatrix and glPopMatrix around the model: its texture matrix steps "
+                                 "hold for it alone. If off, what is drawn later has them, too.")),
 };
 // The array of coordinates is one member and has a row for each unit.
-static_assert(modelRows.size() == 24 && modelRows.size() + 2 == build::memberCount<Model>() - 1 + maxUnits);
+static_assert(modelRows.size() == 25 && modelRows.size() + 3 == build::memberCount<Model>() - 1 + maxUnits);
 
 } // namespace
 
@@ -110,10 +113,20 @@ const StructTable& meshTable() {
     return table;
 }
 
+const StructTable& modelUnitTable() {
+    static const std::array children{
+        build::many<&ModelUnit::matrix>("matrix", N_("Matrix step"), matrixStepTable(), 0, maxMatrixSteps),
+    };
+    static_assert(children.size() == build::memberCount<ModelUnit>());
+    static const StructTable table{N_("ModelUnit"), {}, children};
+    return table;
+}
+
 const StructTable& modelTable() {
     static const std::array children{
         build::single<&Model::material>("material", N_("Material"), modelMaterialTable()),
         build::single<&Model::mesh>("mesh", N_("Mesh"), meshTable()),
+        build::many<&Model::units>("units", N_("Unit"), modelUnitTable(), maxUnits, maxUnits),
     };
     static const StructTable table{N_("Model"), modelRows, children};
     return table;

@@ -28,6 +28,9 @@ constexpr std::array unitRows{
                           "glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, {})",
                           N_("Added to the level of detail. Above 0 blurs, below 0 sharpens and aliases."),
                           {-16, 16, 0.02F, N_("levels")}),
+    param<&Unit::matrixStart>("matrixStart", N_("Texture matrix"), N_("Begins with"), "",
+                              N_("What the texture matrix is before the steps of this pass. A frame begins "
+                                 "with the identity.")),
 };
 
 constexpr std::array matrixStepRows{
@@ -198,7 +201,7 @@ const StructTable& unitTable() {
         build::single<&Unit::emboss>("emboss", N_("Emboss"), embossTable()),
         build::many<&Unit::matrix>("matrix", N_("Matrix step"), matrixStepTable(), 0, maxMatrixSteps),
     };
-    static_assert(unitRows.size() == 6 && unitRows.size() + children.size() == build::memberCount<Unit>());
+    static_assert(unitRows.size() == 7 && unitRows.size() + children.size() == build::memberCount<Unit>());
     static const StructTable table{N_("Unit"), unitRows, children};
     return table;
 }

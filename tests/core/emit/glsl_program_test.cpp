@@ -62,6 +62,23 @@ TEST(GlslProgram, SetsTheUniformsThatTheShadersHave) {
                             Not(HasSubstr("\"normalMatrix\"")), Not(HasSubstr("\"modelView\""))));
 }
 
+TEST(GlslProgram, GivesModelsTheirOwnTextureMatrices) {
+    Scene scene = defaultScene();
+    scene.passes[0].units[0].matrix = {{.op = MatrixOp::Scale, .amount = {3, 1, 1}}};
+    const auto isIn = [](const std::string& part, const char* word) {
+        return part.find(word) != std::string::npos;
+    };
+    const std::string shared = textOf(scene);
+    EXPECT_TRUE(isIn(between(shared, "static void init(", "static void place("), "Matrix unit0Matrix = "));
+    scene.models[1].units[0].matrix = {{.op = MatrixOp::Translate, .amount = {0.5F, 0, 0}}};
+    const std::string own = textOf(scene);
+    EXPECT_THAT(own, AllOf(HasSubstr("Matrix model0Unit0Matrix = scaling(3.0f, 1.0f, 1.0f);\n"),
+                           HasSubstr("model1Unit0Matrix = multiply(model1Unit0Matrix, "
+                                     "translation(0.5f, 0.0f, 0.0f));\n"),
+                           HasSubstr("\"textureMatrix0\", model1Unit0Matrix);"),
+                           Not(HasSubstr("Matrix unit0Matrix"))));
+}
+
 TEST(GlslProgram, HasNoFixedFunction) {
     for (int i = 0; i < 12; ++i) {
         const Result<std::string> text = programOf(random::randomScene(5, i, {}).scene);

@@ -580,6 +580,68 @@ TEST(EmittedUnits, HaveAllMatricesInAFrameWhereOneMoves) {
     EXPECT_THAT(needed(scene), Not(Contains(HasSubstr("seconds"))));
 }
 
+/// The calls between glMatrixMode(GL_TEXTURE) and glMatrixMode(GL_MODELVIEW).
+std::vector<std::string> textureCalls(const Scene& scene) {
+    std::vector<std::string> calls;
+    bool isTexture = false;
+    for (const std::string& line : needed(scene)) {
+        if (line.starts_with("glMatrixMode("))
+            isTexture = line == "glMatrixMode(GL_TEXTURE);";
+        else if (isTexture)
+            calls.push_back(line);
+    }
+    return calls;
+}
+
+TEST(EmittedMatrices, ArePushedAndPoppedAroundModels) {
+    Scene scene = defaultScene();
+    scene.passes[0].units[0].matrix = {{.op = MatrixOp::Scale, .amount = {3, 1, 1}}};
+    scene.models[0].units[0].matrix = {{.op = MatrixOp::Translate, .amount = {0.5F, 0, 0}}};
+    EXPECT_THAT(textureCalls(scene),
+                ElementsAre("glLoadIdentity();", "glScalef(3.0f, 1.0f, 1.0f);", "glPushMatrix();",
+                            "glTranslatef(0.5f, 0.0f, 0.0f);", "glPopMatrix();",
+                            StartsWith("glTranslatef(0.0f, 0.0f, 0.0f); /*"))); // for the second model
+    scene.models[0].pushMatrix = false;
+    EXPECT_THAT(textureCalls(scene), ElementsAre("glLoadIdentity();", "glScalef(3.0f, 1.0f, 1.0f);",
+                                                 "glTranslatef(0.5f, 0.0f, 0.0f);"));
+    scene.models[0].units[0].matrix = {{.op = MatrixOp::Load}};
+    EXPECT_THAT(textureCalls(scene), Contains("glLoadMatrixf(unit0Model0Matrix0);"));
+    scene.models[0].visible = false;
+    EXPECT_THAT(textureCalls(scene), ElementsAre("glLoadIdentity();", "glScalef(3.0f, 1.0f, 1.0f);"));
+}
+
+TEST(EmittedMatrices, ArePushedKeptOrLoadedByPasses) {
+    Scene scene = defaultScene();
+    scene.passes.assign(3, scene.passes[0]);
+    const auto unit = [&](std::size_t pass) -> Unit& { return scene.passes[pass].units[0]; };
+    unit(0).matrix = {{.op = MatrixOp::Scale, .amount = {3, 1, 1}}};
+    unit(1).matrix = {{.op = MatrixOp::Translate, .amount = {0.5F, 0, 0}}};
+    unit(1).matrixStart = MatrixStart::Push;
+    unit(2).matrixStart = MatrixStart::Keep;
+    EXPECT_THAT(textureCalls(scene),
+                ElementsAre("glLoadIdentity();", "glScalef(3.0f, 1.0f, 1.0f);", "glPushMatrix();",
+                            "glTranslatef(0.5f, 0.0f, 0.0f);", "glPopMatrix();",
+                            StartsWith("glTranslatef(0.0f, 0.0f, 0.0f); /*")));
+    // A pass that draws nothing has no calls: what it would leave is made again.
+    scene.models.push_back({.visible = false});
+    scene.passes[0].models = {2};
+    EXPECT_THAT(textureCalls(scene),
+                ElementsAre("glPushMatrix();", "glLoadIdentity();", "glScalef(3.0f, 1.0f, 1.0f);",
+                            "glTranslatef(0.5f, 0.0f, 0.0f);", "glPopMatrix();", "glLoadIdentity();",
+                            "glScalef(3.0f, 1.0f, 1.0f);"));
+}
+
+TEST(EmittedMatrices, OfOnePassBeginEachFrameAnew) {
+    Scene scene = defaultScene();
+    Unit& unit = scene.passes[0].units[0];
+    unit.matrix = {{.op = MatrixOp::Scale, .amount = {3, 1, 1}}};
+    unit.matrixStart = MatrixStart::Keep;
+    EXPECT_THAT(textureCalls(scene), ElementsAre("glLoadIdentity();", "glScalef(3.0f, 1.0f, 1.0f);"));
+    unit.matrixStart = MatrixStart::Push; // glPopMatrix leaves the identity to the next frame
+    EXPECT_THAT(textureCalls(scene),
+                ElementsAre("glPushMatrix();", "glScalef(3.0f, 1.0f, 1.0f);", "glPopMatrix();"));
+}
+
 TEST(EmittedUnits, WriteAMatrixColumnByColumn) {
     Scene scene = defaultScene();
     scene.passes[0].units[0].matrix = {{.op = MatrixOp::Multiply}};

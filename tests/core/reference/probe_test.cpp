@@ -210,6 +210,23 @@ TEST(Probe, GeneratesAndTransformsCoordinates) {
     }
 }
 
+TEST(Probe, SaysWhoseTheStepsOfTheMatrixAre) {
+    Flat flat;
+    flat.scene.passes.push_back(flat.scene.passes[0]);
+    flat.scene.passes[0].units[0].matrix = {{.op = MatrixOp::Translate, .amount = {0, 0.5F, 0}}};
+    flat.scene.passes[1].units[0].matrixStart = MatrixStart::Push;
+    flat.scene.models[0].units[0].matrix.assign(2, {.op = MatrixOp::Scale, .amount = {2, 1, 1}});
+    const UnitExplanation found = flat.at(3, 0).fragments.at(1).units.at(0);
+    EXPECT_TRUE(isNear(found.pixel.transformed, {3.5F, 0.625F, 0, 1}));
+    ASSERT_EQ(found.matrixParts.size(), 2U);
+    EXPECT_EQ(found.matrixParts[0].pass, 0);
+    EXPECT_EQ(found.matrixParts[0].model, -1);
+    EXPECT_EQ(found.matrixParts[0].steps, 1U);
+    EXPECT_EQ(found.matrixParts[1].pass, 1);
+    EXPECT_EQ(found.matrixParts[1].model, 0);
+    EXPECT_EQ(found.matrixParts[1].steps, 2U);
+}
+
 // The light stands to the right: (0.6, 0, 0.8). s grows to the right, too, and t upwards.
 TEST(Probe, MovesCoordinatesTowardsTheLight) {
     Flat flat;

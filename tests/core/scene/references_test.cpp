@@ -106,6 +106,11 @@ TEST(Renumber, KeyFramesFollowTheElementsOfTheirLists) {
     Scene moved = start;
     renumber(moved, "passes[1].units[0].matrix", afterMove(1, 2));
     EXPECT_EQ(moved.timeline.keys[4].path, "passes[1].units[0].matrix[2].angle");
+    Scene ofModels;
+    ofModels.timeline.keys = {{0, "models[1].units[2].matrix[0].angle"}};
+    renumber(ofModels, "models", afterInsert(0));
+    renumber(ofModels, "models[2].units[2].matrix", afterMove(0, 3));
+    EXPECT_THAT(pathsOf(ofModels), ElementsAre("models[2].units[2].matrix[3].angle"));
 }
 
 TEST(Renumber, ValuesOfKeyFramesNameTheSameElements) {

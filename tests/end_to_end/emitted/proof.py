@@ -146,5 +146,6 @@ def computes_otherwise(scene, flavour):
     program."""
     units = [unit for each in scene["passes"] for unit in each["units"] if unit.get("enabled")]
     embosses = any(unit.get("emboss", {}).get("enabled") for unit in units)
-    projects = flavour is GLSL and any(step["op"] == "projector" for unit in units for step in unit.get("matrix", []))
+    owned = [unit for each in scene["models"] for unit in each.get("units", [])]
+    projects = flavour is GLSL and any(step["op"] == "projector" for unit in units + owned for step in unit.get("matrix", []))
     return embosses or projects or any(texture["source"] == "light-depth" for texture in scene["textures"])

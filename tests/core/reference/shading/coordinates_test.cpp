@@ -24,12 +24,14 @@ TEST(Coordinates, AreTurnedBeforeTheyAreGeneratedOrAfterTheMatrix) {
 
 // OpenGL 2.1, section 2.11.2: translate, then scale multiplies as T S, so that S counts first.
 TEST(Coordinates, AreMultipliedByAllSteps) {
-    Unit unit;
-    unit.matrix = {{.op = MatrixOp::Translate, .amount = {0.5F, 0, 0}, .rate = {0.25F, 0, 0}},
-                   {.op = MatrixOp::Scale, .amount = {2, 2, 1}}};
+    Scene scene = defaultScene();
+    scene.passes[0].units[0].matrix = {
+        {.op = MatrixOp::Translate, .amount = {0.5F, 0, 0}, .rate = {0.25F, 0, 0}}};
+    scene.models[1].units[0].matrix = {{.op = MatrixOp::Scale, .amount = {2, 2, 1}}};
     const glm::vec4 corner(1, 1, 0, 1);
-    EXPECT_EQ(coordinateMatrix(unit, LateFlip::None, 2, {}) * corner, glm::vec4(3, 2, 0, 1));
-    EXPECT_EQ(coordinateMatrix(unit, LateFlip::Matrix, 2, {}) * corner, glm::vec4(3, -1, 0, 1));
+    EXPECT_EQ(coordinateMatrix(scene, 0, 0, 1, LateFlip::None, 2) * corner, glm::vec4(3, 2, 0, 1));
+    EXPECT_EQ(coordinateMatrix(scene, 0, 0, 1, LateFlip::Matrix, 2) * corner, glm::vec4(3, -1, 0, 1));
+    EXPECT_EQ(coordinateMatrices(scene, 0, 0, LateFlip::None, 2)[0] * corner, glm::vec4(2, 1, 0, 1));
     EXPECT_EQ(upsideDown() * glm::vec4(3, -1, 0, 1), glm::vec4(3, 2, 0, 1)) << "its own inverse";
 }
 

@@ -416,6 +416,19 @@ TEST(ParseScene, TakesAMatrixColumnByColumn) {
     EXPECT_EQ(step.matrix[3], glm::vec4(13, 14, 15, 16));
 }
 
+TEST(ParseScene, TakesTextureMatricesOfModels) {
+    const auto scene = parseScene(R"({"models": [{"pushMatrix": false, "units": [{}, {"matrix": [
+        {"op": "scale", "amount": [2, 3, 1]}]}]}],
+        "passes": [{"units": [{"matrixStart": "glPushMatrix"}, {"matrixStart": "keep"}]}]})");
+    ASSERT_TRUE(scene) << describe(scene.error());
+    EXPECT_FALSE(scene->models[0].pushMatrix);
+    EXPECT_TRUE(scene->models[0].units[0].matrix.empty());
+    EXPECT_EQ(scene->models[0].units[1].matrix.at(0).amount, glm::vec3(2, 3, 1));
+    EXPECT_EQ(scene->passes[0].units[0].matrixStart, MatrixStart::Push);
+    EXPECT_EQ(scene->passes[0].units[1].matrixStart, MatrixStart::Keep);
+    EXPECT_EQ(scene->passes[0].units[2].matrixStart, MatrixStart::Identity);
+}
+
 TEST(ParseScene, TakesAMaterialOfAModel) {
     const auto scene = parseScene(R"({"models": [{"ownMaterial": true, "material": {
         "colorMaterial": false, "emission": [0.5, 0.25, 0, 1]}}]})");

@@ -24,6 +24,7 @@ std::set<std::string> allPaths() {
     scene.textures[0].levels.resize(1);
     scene.textures[0].preparation.resize(1);
     scene.passes[0].units[0].matrix.resize(1);
+    scene.models[0].units[0].matrix.resize(1);
     scene.timeline.keys.resize(1);
     std::set<std::string> paths;
     forEachParam(scene, [&](const std::string& path, const ParamRow&, const Value&) {
@@ -48,7 +49,7 @@ TEST(ListParams, HasEveryParameterOnceWithItsHelpAndEveryChoice) {
     }
     const auto paths = allPaths();
     EXPECT_EQ(listed, std::multiset<std::string>(paths.begin(), paths.end()));
-    EXPECT_EQ(paths.size(), 179U);
+    EXPECT_EQ(paths.size(), 188U);
     EXPECT_TRUE(text.ends_with("\n"));
     EXPECT_FALSE(text.ends_with("\n\n"));
 }
@@ -112,10 +113,11 @@ TEST(ListParamsJson, HasShortNumbersAndTypedDefaults) {
               nlohmann::json({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}));
     EXPECT_EQ(find("passes[].models").at("default"), nlohmann::json::array());
     EXPECT_EQ(find("models[].material.ambient").at("default"), nlohmann::json({0.2, 0.2, 0.2, 1}));
-    EXPECT_EQ(json.at("lists").size(), 8U);
-    EXPECT_EQ(json.at("lists")[7].at("path"), "timeline[]");
-    EXPECT_EQ(json.at("lists")[6].at("path"), "passes[].units[].matrix[]");
-    EXPECT_EQ(json.at("lists")[6].at("maxCount"), 32);
+    EXPECT_EQ(json.at("lists").size(), 10U);
+    EXPECT_EQ(json.at("lists")[2].at("path"), "models[].units[].matrix[]");
+    EXPECT_EQ(json.at("lists")[9].at("path"), "timeline[]");
+    EXPECT_EQ(json.at("lists")[8].at("path"), "passes[].units[].matrix[]");
+    EXPECT_EQ(json.at("lists")[8].at("maxCount"), 32);
 }
 
 TEST(ListParamsJson, NamesEveryKind) {
@@ -127,16 +129,16 @@ TEST(ListParamsJson, NamesEveryKind) {
     EXPECT_EQ(kinds["points"], "models[].mesh.positions");
     EXPECT_EQ(kinds["colors"], "models[].mesh.colors");
     EXPECT_EQ(kinds["indices"], "models[].mesh.indices");
-    EXPECT_EQ(kinds["matrix"], "passes[].units[].matrix[].matrix");
+    EXPECT_EQ(kinds["matrix"], "models[].units[].matrix[].matrix");
     EXPECT_EQ(kinds["text"], "models[].name");
 }
 
 TEST(ListParams, GivesWhatASceneHasThatDoesNotSayIt) {
     // What a file that names no more than its elements becomes.
-    Scene scene =
-        parseScene(R"({"version": 1, "models": [{}], "textures": [{"levels": [{}], "preparation": [{}]}],
+    Scene scene = parseScene(R"({"version": 1, "models": [{"units": [{"matrix": [{}]}]}],
+                                       "textures": [{"levels": [{}], "preparation": [{}]}],
                                        "passes": [{"units": [{"matrix": [{}]}]}]})")
-            .value();
+                      .value();
     scene.timeline.keys.resize(1); // a file's has to name its parameter
     const auto json = nlohmann::json::parse(listParamsJson());
     const std::string text = "\n" + listParams();

@@ -26,6 +26,8 @@ Scene fullScene() {
     scene.textures[0].preparation.resize(1);
     for (Unit& unit : scene.passes.front().units)
         unit.matrix.resize(1);
+    for (ModelUnit& unit : scene.models[0].units)
+        unit.matrix.resize(1);
     return scene;
 }
 
@@ -204,8 +206,8 @@ TEST(Params, EveryRowReadsBackWhatItWritesAndChangesNothingElse) {
     forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value&) {
         rows.emplace_back(path, &row);
     });
-    ASSERT_EQ(rows.size(),
-              9U + (8 + 4) + 8 + (24 + 7 + 6) + (32 + 3 + 7) + (13 + 6) + 4 * (6 + 16 + 4 * 4 + 3 + 7));
+    ASSERT_EQ(rows.size(), 9U + (8 + 4) + 8 + (25 + 7 + 6 + 4 * 7) + (32 + 3 + 7) + (13 + 6) +
+                               4 * (7 + 16 + 4 * 4 + 3 + 7));
 
     for (const auto& [path, row] : rows) {
         for (const Value& value : valuesOf(*row)) {
