@@ -5,6 +5,7 @@
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/texture_matrix.h"
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
@@ -127,10 +128,15 @@ void depthsAsTheyAre(const Case& about, Report& report) {
     }
 }
 
+bool isProjector(const PlacedStep& placed) {
+    return placed.step->op == MatrixOp::Projector;
+}
+
 /// Whether r comes from the models: those of the meshes are 0.
-bool isGivenR(const Scene& scene, const Unit& unit) {
+bool isGivenR(const Scene& scene, std::size_t pass, const Unit& unit) {
     const auto has = [](const glm::vec4& coord) { return coord.p != 0; };
-    return unit.texGenR.enabled || !unit.matrix.empty() ||
+    const auto index = static_cast<std::size_t>(&unit - scene.passes[pass].units.data());
+    return unit.texGenR.enabled || hasMatrix(scene, pass, index) ||
            std::ranges::any_of(scene.models, [&](const Model& model) {
                return std::ranges::any_of(
                    model.texCoords, [&](const TexCoords& list) { return std::ranges::any_of(list, has); });
@@ -138,9 +144,9 @@ bool isGivenR(const Scene& scene, const Unit& unit) {
 }
 
 void comparesNothing(const Case& about, Report& report) {
-    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t p) {
         const Texture* texture = depthTextureOf(about, unit);
-        if (!texture || texture->compareMode == CompareMode::None || isGivenR(about.scene, unit))
+        if (!texture || texture->compareMode == CompareMode::None || isGivenR(about.scene, p, unit))
             return;
         report.add(fmt::format("{}{}.{}", path, keyOf<&Unit::texGenR>(), keyOf<&TexGen::enabled>()),
                    N_("r is compared with the texture's depths, but r is 0 everywhere"),
@@ -309,16 +315,21 @@ constexpr std::array depthRuleRows{
 } // namespace
 
 bool usesLightView(const Scene& scene) {
-    return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
-        return drawsAnything(scene, pass) && std::ranges::any_of(pass.units, [&](const Unit& unit) {
-                   const auto texture =
-                       static_cast<std::size_t>(unit.texture); // of a negative one: beyond all
-                   const bool sees = texture < scene.textures.size() &&
-                                     scene.textures[texture].source == SourceKind::LightDepth;
-                   const auto isView = [](const MatrixStep& step) { return step.op == MatrixOp::Projector; };
-                   return unit.enabled && (sees || std::ranges::any_of(unit.matrix, isView));
-               });
-    });
+    const auto sees = [&](const Unit& unit) {
+        const auto texture = static_cast<std::size_t>(unit.texture); // of a negative one: beyond all
+        return texture < scene.textures.size() && scene.textures[texture].source == SourceKind::LightDepth;
+    };
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        for (const std::size_t model : drawnModels(scene, scene.passes[p])) {
+            for (std::size_t u = 0; u < maxUnits; ++u) {
+                const Unit& unit = scene.passes[p].units[u];
+                if (unit.enabled &&
+                    (sees(unit) || std::ranges::any_of(textureSteps(scene, p, u, model), isProjector)))
+                    return true;
+            }
+        }
+    }
+    return false;
 }
 
 std::span<const Rule> depthRules() {

@@ -91,6 +91,7 @@ struct Rule {
 [[nodiscard]] std::span<const Rule> formatRules();        ///< effects of internal formats on colours
 [[nodiscard]] std::span<const Rule> textureEffectRules(); ///< texture settings without effect
 [[nodiscard]] std::span<const Rule> unitRules();
+[[nodiscard]] std::span<const Rule> matrixRules(); ///< of textures, and their stacks
 [[nodiscard]] std::span<const Rule> cubeRules(); ///< the edges of cube faces
 [[nodiscard]] std::span<const Rule> combineRules();
 [[nodiscard]] std::span<const Rule> passRules();
@@ -103,6 +104,11 @@ struct Rule {
 
 /// Whether a texture shows the light's view or is projected from it.
 [[nodiscard]] bool usesLightView(const Scene& scene);
+
+/// Whether a unit of a pass has a texture matrix with any model that the pass draws.
+[[nodiscard]] bool hasMatrix(const Scene& scene, std::size_t pass, std::size_t unit);
+/// Whether a later pass that uses the unit keeps or pushes what is left of its matrix.
+[[nodiscard]] bool isLeftMatrixRead(const Scene& scene, std::size_t pass, std::size_t unit);
 
 /// "passes[0].units[1]."
 [[nodiscard]] std::string unitPath(std::size_t pass, std::size_t unit);

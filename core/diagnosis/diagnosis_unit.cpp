@@ -1,5 +1,5 @@
-// Texture units: what they ask for and can't have, what the environment leaves undefined, coordinates that
-// collapse, and what changes nothing.
+// Texture units: what they ask for and can't have, what the environment leaves undefined, and what changes
+// nothing.
 
 #include "texplorer/diagnosis/color_flow.h"
 #include "texplorer/gl/combine_arguments.h"
@@ -93,39 +93,6 @@ void undefinedDecal(const Case& about, Report& report) {
     });
 }
 
-void collapsingMatrix(const Case& about, Report& report) {
-    constexpr std::string_view letters = "str";
-    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
-        if (!unit.enabled)
-            return;
-        for (std::size_t i = 0; i < unit.matrix.size(); ++i) {
-            const MatrixStep& step = unit.matrix[i];
-            const std::string amount =
-                fmt::format("{}{}.{}", path, elementOf<&Unit::matrix>(i), keyOf<&MatrixStep::amount>());
-            if (step.op == MatrixOp::Rotate && step.amount == glm::vec3(0) && step.rate == glm::vec3(0))
-                report.add(amount, N_("the axis has length 0: the rotation is undefined in OpenGL"),
-                           Fix{N_("Rotate about r"), {{amount, "0,0,1"}}});
-            if (step.op != MatrixOp::Scale)
-                continue;
-            std::vector<Sentence> collapsed;
-            std::string factors;
-            for (int axis = 0; axis < 3; ++axis) {
-                const bool zero = step.amount[axis] == 0 && step.rate[axis] == 0;
-                if (zero && axis < coordinatesOf(unit.target))
-                    collapsed.emplace_back(ProperName{letters.substr(static_cast<std::size_t>(axis), 1)});
-                factors += (axis > 0 ? "," : "") + std::string(zero ? "1" : formatNumber(step.amount[axis]));
-            }
-            if (!collapsed.empty())
-                report.add(
-                    amount,
-                    Sentence(
-                        "a scale of 0 gives all vertices the same {0}: the image shrinks to a line or a texel",
-                        Sentence::joined("{0} and {1}", collapsed)),
-                    Fix{N_("Scale by 1"), {{amount, factors}}});
-        }
-    });
-}
-
 /// Whether r can be anything but 0 when it comes from the models: the meshes have none.
 bool modelsHaveR(const Scene& scene, std::size_t unit) {
     return std::ranges::any_of(scene.models, [&](const Model& model) {
@@ -140,7 +107,7 @@ void flatDirection(const Case& about, Report& report) {
         for (std::size_t u = 0; u < maxUnits; ++u) {
             const Unit& unit = about.scene.passes[p].units[u];
             if (!about.scene.passes[p].enabled || !unit.enabled || unit.target != Target::CubeMap ||
-                unit.texGenR.enabled || !unit.matrix.empty() || modelsHaveR(about.scene, u))
+                unit.texGenR.enabled || hasMatrix(about.scene, p, u) || modelsHaveR(about.scene, u))
                 continue;
             Fix fix{N_("Reflect"), {}};
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -224,7 +191,7 @@ bool comparesDepths(const Texture& texture) {
 }
 
 void noGeneration(const Case& about, Report& report) {
-    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
+    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t p) {
         for (const Generated& each : generated) {
             const TexGen& state = unit.*each.state;
             const std::string own = fmt::format("{}{}.", path, each.key());
@@ -242,7 +209,8 @@ void noGeneration(const Case& about, Report& report) {
         const bool compares = about.textureOf(unit) &&
                               comparesDepths(about.scene.textures[static_cast<std::size_t>(unit.texture)]);
         const int axes = compares ? 3 : coordinatesOf(unit.target); // r is compared
-        for (int axis = axes; axis < 3 && unit.matrix.empty(); ++axis) {
+        const auto index = static_cast<std::size_t>(&unit - about.scene.passes[p].units.data());
+        for (int axis = axes; axis < 3 && !hasMatrix(about.scene, p, index); ++axis) {
             const Generated& each = generated[static_cast<std::size_t>(axis)];
             if ((unit.*each.state).enabled)
                 report.add(fmt::format("{}{}.{}", path, each.key(), keyOf<&TexGen::enabled>()),
@@ -283,10 +251,10 @@ void overruledUnit(const Case& about, Report& report) {
         if (!later)
             return;
         const Sentence reason = Sentence("unit {0} replaces the result of the units before it", *later);
-        if (!isAsked(about, pass, index))
+        if (!isAsked(about, pass, index) && !isLeftMatrixRead(about.scene, p, index))
             return report.add(path.substr(0, path.size() - 1), reason);
         for (const Key key : {keyOf<&Unit::envMode>, keyOf<&Unit::envColor>, keyOf<&Unit::combine>})
-            report.add(path + key(), reason); // its texture is read elsewhere
+            report.add(path + key(), reason); // its texture or its matrix is read elsewhere
     });
 }
 
@@ -304,20 +272,6 @@ void overruledTexture(const Case& about, Report& report) {
             report.add(elementOf<&Scene::textures>(i),
                        N_("later units replace the result of those that show it"));
     }
-}
-
-/// glLoadMatrix puts its matrix in the place of all that was made before.
-void replacedSteps(const Case& about, Report& report) {
-    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
-        for (std::size_t last = unit.matrix.size(); last-- > 1;) {
-            if (unit.matrix[last].op != MatrixOp::Load)
-                continue;
-            for (std::size_t i = 0; i < last; ++i)
-                report.add(path + elementOf<&Unit::matrix>(i),
-                           Sentence("step {0} loads another matrix instead", last + 1));
-            break;
-        }
-    });
 }
 
 /// Coordinates that are the same all over a triangle, or along it, say no direction to move into.
@@ -361,47 +315,13 @@ void embossOff(const Case& about, Report& report) {
     });
 }
 
-/// A parameter of a step, and the operations that read it.
-struct OperationRow {
-    Key key;
-    std::span<const MatrixOp> operations;
-};
-constexpr std::array amounts{MatrixOp::Translate, MatrixOp::Rotate, MatrixOp::Scale};
-constexpr std::array angles{MatrixOp::Rotate};
-constexpr std::array pivots{MatrixOp::Rotate, MatrixOp::Scale};
-constexpr std::array matrices{MatrixOp::Multiply, MatrixOp::Load};
-constexpr std::array operationRows{
-    OperationRow{keyOf<&MatrixStep::amount>, amounts}, OperationRow{keyOf<&MatrixStep::rate>, amounts},
-    OperationRow{keyOf<&MatrixStep::angle>, angles},   OperationRow{keyOf<&MatrixStep::angleRate>, angles},
-    OperationRow{keyOf<&MatrixStep::pivot>, pivots},   OperationRow{keyOf<&MatrixStep::matrix>, matrices},
-};
-
-void otherOperation(const Case& about, Report& report) {
-    forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t) {
-        for (std::size_t i = 0; i < unit.matrix.size(); ++i) {
-            const std::string step = fmt::format("{}{}.", path, elementOf<&Unit::matrix>(i));
-            for (const OperationRow& row : operationRows) {
-                if (std::ranges::find(row.operations, unit.matrix[i].op) != row.operations.end())
-                    continue;
-                std::vector<Sentence> readers;
-                for (const MatrixOp op : row.operations)
-                    readers.push_back(named(op));
-                report.add(step + row.key(),
-                           Sentence("only these steps read it: {0}", Sentence::joined("{0}, {1}", readers)));
-            }
-        }
-    });
-}
-
 constexpr std::array unitRuleRows{
     Rule{"missing-texture", Severity::Error, missingTexture, true},
     Rule{"unit-limit", Severity::Warning, unitLimit, true},
     Rule{"undefined-decal", Severity::Warning, undefinedDecal},
-    Rule{"collapsing-matrix", Severity::Warning, collapsingMatrix},
     Rule{"zero-q", Severity::Warning, generatedZeroQ},
     Rule{"flat-direction", Severity::Warning, flatDirection},
     Rule{"unit-off", Severity::Hint, unitOff},
-    Rule{"matrix-replaced", Severity::Hint, replacedSteps},
     Rule{"no-tangent", Severity::Warning, noTangent},
     Rule{"emboss", Severity::Hint, embossOff},
     Rule{"env-color", Severity::Hint, noEnvColor},
@@ -409,7 +329,6 @@ constexpr std::array unitRuleRows{
     Rule{"generation", Severity::Hint, noGeneration},
     Rule{"overruled-unit", Severity::Hint, overruledUnit},
     Rule{"overruled-texture", Severity::Hint, overruledTexture},
-    Rule{"other-matrix-operation", Severity::Unused, otherOperation},
 };
 
 } // namespace

@@ -125,15 +125,17 @@ void Emission::refuseShapes() {
                 models[m].drawing != Drawing::Quadric)
                 keys.refuse(param);
         }
-        for (std::size_t p = 0; p < scene.passes.size(); ++p) {
-            for (std::size_t u = 0; u < maxUnits; ++u) {
-                std::vector<std::string> paths;
-                for (const auto& [state, key, letter] : generatedCoordinates)
-                    paths.push_back(unitPath(p, u, {key(), keyOf<&TexGen::enabled>()}));
+    }
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        const std::vector<std::size_t> drawn = drawnModels(scene, scene.passes[p]);
+        for (std::size_t u = 0; u < maxUnits; ++u) {
+            std::vector<std::string> paths;
+            for (const auto& [state, key, letter] : generatedCoordinates)
+                paths.push_back(unitPath(p, u, {key(), keyOf<&TexGen::enabled>()}));
+            for (const std::size_t m : drawn)
                 static_cast<void>(keys.decided(scene, paths, [&](const Scene& other) {
-                    return takesCoords(other.passes[p], u, other.models[m]);
+                    return takesCoords(other, other.passes[p], u, other.models[m]);
                 }));
-            }
         }
     }
 }

@@ -202,7 +202,48 @@ constexpr std::array unitRows{
             [](Subject& s) {
                 s.unit().matrix = {{MatrixOp::Scale, {1, 1, 1}}};
             },
-            [](Subject& s) { s.unit().matrix[0].op = MatrixOp::Rotate; }}};
+            [](Subject& s) { s.unit().matrix[0].op = MatrixOp::Rotate; }},
+    Mistake{"ScaleOfZeroOfAModel", "collapsing-matrix", Warning, "models[1].units[0].matrix[0].amount",
+            "same t",
+            [](Subject& s) {
+                s.scene.models[1].units[0].matrix = {{MatrixOp::Scale, {2, 0, 0}}};
+            },
+            [](Subject& s) { s.scene.models[1].visible = false; }},
+    Mistake{"ForgottenPop", "forgotten-pop", Warning, "models[0].pushMatrix", "drawn later: models[1]",
+            [](Subject& s) {
+                s.scene.models[0].units[0].matrix = {{MatrixOp::Scale, {2, 2, 1}}};
+                s.scene.models[0].pushMatrix = false;
+            },
+            [](Subject& s) {
+                s.pass().models = {1, 0};
+            }},
+    Mistake{"ForgottenPopInALaterPass", "forgotten-pop", Warning, "models[1].pushMatrix",
+            "models[0], models[1]",
+            [](Subject& s) {
+                s.scene.models[1].units[0].matrix = {{MatrixOp::Scale, {2, 2, 1}}};
+                s.scene.models[1].pushMatrix = false;
+                s.scene.passes.push_back(s.pass());
+                s.scene.passes[1].units[0].matrixStart = MatrixStart::Keep;
+            },
+            [](Subject& s) { s.scene.passes[1].units[0].matrixStart = MatrixStart::Identity; }},
+    Mistake{"DeepStack", "matrix-stack-depth", Warning, "passes[0].units[0].matrixStart",
+            "needs a stack of 3, and OpenGL guarantees 2",
+            [](Subject& s) {
+                s.scene.models[0].units[0].matrix = {{MatrixOp::Scale, {2, 2, 1}}};
+                s.unit().matrixStart = MatrixStart::Push;
+            },
+            [](Subject& s) { s.scene.models[0].pushMatrix = false; }},
+    Mistake{"NothingToStartWith", "matrix-start", Hint, "passes[0].units[0].matrixStart", "no earlier pass",
+            [](Subject&) {},
+            [](Subject& s) {
+                s.scene.passes.push_back(s.pass());
+                s.scene.passes[1].units[0].matrixStart = MatrixStart::Push;
+            }},
+    Mistake{"NothingToPush", "model-steps", Hint, "models[1].pushMatrix", "no steps of its own",
+            [](Subject&) {}, [](Subject& s) { s.scene.models[1].units[0].matrix.resize(1); }},
+    Mistake{"StepsOfAUnitThatIsOff", "model-steps", Hint, "models[1].units[2]", "is off in all passes",
+            [](Subject& s) { s.scene.models[1].units[2].matrix.resize(1); },
+            [](Subject& s) { s.unit(2).enabled = true; }}};
 
 } // namespace
 
