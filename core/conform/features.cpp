@@ -55,6 +55,8 @@ constexpr std::array rows{
             rules::texelEdge, rules::lastBit},
     Feature{"matrix", "texture matrix: pairs of steps, pivots, and a q for each vertex", "2.11.2", 144,
             scenes::matrix, rules::texelEdgeOnQuads, rules::lastBit},
+    Feature{"matrix-stack", "texture matrices of models, pushed or not, and what passes leave on the stack",
+            "2.11.2", 72, scenes::matrixStack, rules::texelEdgeOnQuads, rules::lastBit},
     Feature{"projector", "the projector in the matrix: slides and shadows × wrap × filters × shapes",
             "2.11.2, 3.8.14", 80, scenes::projector, rules::texelEdge, rules::lastBit},
     Feature{"emboss", "coordinates that follow the light, by either matrix, at a place or not", "2.7", 48,
@@ -110,7 +112,7 @@ constexpr int sumOfWeights() {
         sum += row.scenes;
     return sum;
 }
-static_assert(rows.size() == 46 && sumOfWeights() == defaultScenes);
+static_assert(rows.size() == 47 && sumOfWeights() == defaultScenes);
 
 } // namespace
 

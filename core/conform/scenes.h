@@ -30,6 +30,7 @@ Scene linearTexGen(int number, Dice& state, Dice& values);
 Scene mappedTexGen(int number, Dice& state, Dice& values);
 Scene texGenOnShapes(int number, Dice& state, Dice& values);
 Scene matrix(int number, Dice& state, Dice& values);
+Scene matrixStack(int number, Dice& state, Dice& values);
 Scene projector(int number, Dice& state, Dice& values);
 
 // Filters.

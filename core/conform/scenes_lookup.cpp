@@ -2,6 +2,7 @@
 #include "texplorer/conform/surfaces.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace texplorer::conform::scenes {
 
@@ -140,6 +141,33 @@ Scene matrix(int number, Dice& state, Dice& values) {
     if (state.chance(2))
         std::ranges::for_each(scene.models[0].texCoords[0],
                               [&](glm::vec4& coord) { coord *= values.number(0.5F, 2); });
+    return scene;
+}
+
+/// Two halves of the picture, drawn by three passes, of which one sees the last.
+Scene matrixStack(int number, Dice& state, Dice& values) {
+    const MatrixStart second = pick<MatrixStart>(number);
+    const MatrixStart last = pick<MatrixStart>(number);
+    Scene scene = texturedQuad(state.of(coloredSources), values);
+    const auto step = [&]() -> MatrixStep {
+        if (values.chance(2))
+            return {.op = MatrixOp::Translate, .amount = {values.number(0, 1), values.number(0, 1), 0}};
+        return {.op = MatrixOp::Scale, .amount = {values.number(0.5F, 2), values.number(0.5F, 2), 1}};
+    };
+    scene.models[0].scale.x = 0.5F;
+    scene.models.push_back(scene.models[0]);
+    float side = -0.5F;
+    for (Model& model : scene.models) {
+        model.position.x = std::exchange(side, -side);
+        model.pushMatrix = state.chance(2);
+        if (!state.chance(3))
+            model.units[0].matrix = {step()};
+    }
+    scene.passes.assign(3, scene.passes[0]);
+    scene.passes[1].units[0].matrixStart = second;
+    scene.passes[2].units[0].matrixStart = last;
+    for (Pass& pass : scene.passes)
+        pass.units[0].matrix = {step()};
     return scene;
 }
 

@@ -790,6 +790,19 @@ const Wrong wrongs[] = {
      [](Scene& s) { eachStep(s, [](MatrixStep& m) { std::swap(m.matrix[0].y, m.matrix[1].x); }); }},
     {"MatrixBackwards", "matrix",
      [](Scene& s) { eachUnit(s, [](Unit& u) { std::ranges::reverse(u.matrix); }); }},
+    {"MatricesOfModelsIgnored", "matrix-stack",
+     [](Scene& s) { eachModel(s, [](Model& m) { m.units = {}; }); }},
+    {"MatricesOfModelsNeverPopped", "matrix-stack",
+     [](Scene& s) { eachModel(s, [](Model& m) { m.pushMatrix = false; }); }},
+    {"MatricesAlwaysBegun", "matrix-stack",
+     [](Scene& s) { eachUnit(s, [](Unit& u) { u.matrixStart = MatrixStart::Identity; }); }},
+    {"MatricesKeptInsteadOfPushed", "matrix-stack",
+     [](Scene& s) {
+         eachUnit(s, [](Unit& u) {
+             if (u.matrixStart == MatrixStart::Push)
+                 u.matrixStart = MatrixStart::Keep;
+         });
+     }},
     {"TexelsBesideByASixteenth", "nearest",
      [](Scene& s) {
          eachUnit(s, [](Unit& u) {
