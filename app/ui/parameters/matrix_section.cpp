@@ -3,6 +3,7 @@
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/list_buttons.h"
+#include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/segments.h"
 #include "texplorer/preset/preset.h"
 #include "texplorer/scene/params/keys.h"
@@ -24,13 +25,29 @@ struct Motion {
 constexpr std::array motions{Motion{"scroll", N_("Scroll")}, Motion{"spin", N_("Spin")},
                              Motion{"pulse", N_("Pulse")}, Motion{"rotate-centre", N_("Rotate")}};
 
-std::string matrixPath(const Session& session) {
-    return fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::matrix>());
+/// A list of steps; the names of its widgets in tests begin with `name`.
+struct StepList {
+    std::string path;
+    std::size_t count;
+    const char* name = "";
+};
+
+StepList stepsOfPass(const Session& session) {
+    return {fmt::format("{}.{}", selectedUnitPath(session), keyOf<&Unit::matrix>()),
+            selectedUnit(session).matrix.size()};
 }
 
-void addStep(const Session& session, const EnumRow& op) {
-    const std::string list = matrixPath(session);
-    const std::size_t count = selectedUnit(session).matrix.size();
+/// For the selected unit of the selected model.
+StepList stepsOfModel(const Session& session, const Model& model) {
+    const Selection& selection = session.look.selection;
+    const auto unit = static_cast<std::size_t>(selection.unit);
+    return {fmt::format("{}.{}.{}", elementOf<&Scene::models>(static_cast<std::size_t>(selection.model)),
+                        elementOf<&Model::units>(unit), keyOf<&ModelUnit::matrix>()),
+            model.units[unit].matrix.size(), "model's "};
+}
+
+void addStep(const Session& session, const StepList& steps, const EnumRow& op) {
+    const auto& [list, count, name] = steps;
     const std::string step = fmt::format("{}[{}].", list, count);
     std::vector<Edit> edits{edit::Insert{list, count},
                             edit::Set{step + keyOf<&MatrixStep::op>(), std::string(op.name)}};
@@ -52,7 +69,7 @@ void offerMotion(const Session& session, const Motion& motion) {
 }
 
 /// A button for each operation, which adds a step: at most `perLine` buttons per line.
-void addStepButtons(const Session& session, int perLine) {
+void addStepButtons(const Session& session, const StepList& steps, int perLine) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const auto widthFor = [gap](int count) {
         return (ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * gap) /
@@ -64,19 +81,60 @@ void addStepButtons(const Session& session, int perLine) {
     while (perLine > 1 && widthFor(perLine) < widest)
         --perLine;
     const float width = widthFor(perLine);
-    ImGui::BeginDisabled(selectedUnit(session).matrix.size() >= maxMatrixSteps);
+    ImGui::BeginDisabled(steps.count >= maxMatrixSteps);
     for (std::size_t i = 0; i < matrixOpRows.size(); ++i) {
         const EnumRow& op = matrixOpRows[i];
         if (static_cast<int>(i) % perLine > 0)
             ImGui::SameLine(0, gap);
         if (ImGui::Button(fmt::format("{}###{}", tr(Sentence("+ {0}", op.label)), op.name).c_str(),
                           {width, 0})) {
-            addStep(session, op);
+            addStep(session, steps, op);
             ImGui::CloseCurrentPopup(); // if they are in a popup
         }
-        item(fmt::format("add:{}", op.name), op.help);
+        item(fmt::format("{}add:{}", steps.name, op.name), op.help);
     }
     ImGui::EndDisabled();
+}
+
+void stepRows(const Session& session, const StepList& steps, const std::vector<ShownStruct>& places) {
+    std::size_t i = 0;
+    for (const ShownStruct& place : places) {
+        if (!place.owner.path.starts_with(steps.path + '['))
+            continue;
+        ImGui::PushID(place.owner.path.c_str());
+        labelText(Sentence("Step {0}", i + 1), color::dim);
+        constexpr ListWords words{
+            N_("matrix step"),      "", N_("Move this step up"),    N_("Move this step down"),
+            N_("Remove this step"), "", N_("Reorder matrix steps"), N_("Remove matrix step")};
+        if (const std::optional<ListEdit> pressed = elementButtons(words, place.owner.path, i, steps.count))
+            submit(session, {.name = words.nameOf(*pressed),
+                             .edits = {editOf(*pressed, steps.path, i)},
+                             .path = steps.path});
+        paramRows(session, place.owner, matrixStepTable(), {.captions = false});
+        ImGui::Separator();
+        ImGui::PopID();
+        ++i;
+    }
+}
+
+/// What is multiplied after the steps of the pass, for one model.
+void modelSteps(const Session& session, const std::vector<ShownStruct>& places) {
+    const Model* model = selectedModel(session);
+    if (!model)
+        return;
+    static const Model initial;
+    const Owner owner{model, &initial,
+                      elementOf<&Scene::models>(static_cast<std::size_t>(session.look.selection.model))};
+    const StepList steps = stepsOfModel(session, *model);
+    caption("Then, for the model");
+    const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
+    modelChoice(session, width, width);
+    if (steps.count > 0 || !model->pushMatrix)
+        paramWidget(session, owner, *findParam(modelTable(), keyOf<&Model::pushMatrix>()));
+    stepRows(session, steps, places);
+    ImGui::PushID("model");
+    addStepButtons(session, steps, 3);
+    ImGui::PopID();
 }
 
 } // namespace
@@ -94,39 +152,27 @@ void motionButtons(const Session& session) {
     const Preset* motion =
         pressed && *pressed < motions.size() ? findPreset(motions[*pressed].preset) : nullptr;
     if (motion)
-        choosePreset(session, *motion, matrixPath(session));
+        choosePreset(session, *motion, stepsOfPass(session).path);
     else if (pressed == motions.size())
         ImGui::OpenPopup("steps");
     if (ImGui::BeginPopup("steps")) {
         ImGui::Dummy({ImGui::GetFontSize() * 16, 0});
-        addStepButtons(session, 2);
+        addStepButtons(session, stepsOfPass(session), 2);
         ImGui::EndPopup();
     }
     ImGui::PopID();
 }
 
 void matrixSection(const Session& session) {
-    const std::vector<ShownStruct> steps = shownStructs(session, Section::Matrix);
-    if (steps.empty())
+    const std::vector<ShownStruct> places = shownStructs(session, Section::Matrix);
+    const StepList steps = stepsOfPass(session);
+    paramWidget(session, unitOwner(session), *findParam(unitTable(), keyOf<&Unit::matrixStart>()));
+    if (places.empty())
         wrappedText("The identity: coordinates are unchanged. Each step moves, turns or scales them.");
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        labelText(Sentence("Step {0}", i + 1), color::dim);
-        constexpr ListWords words{
-            N_("matrix step"),      "", N_("Move this step up"),    N_("Move this step down"),
-            N_("Remove this step"), "", N_("Reorder matrix steps"), N_("Remove matrix step")};
-        if (const std::optional<ListEdit> pressed =
-                elementButtons(words, steps[i].owner.path, i, steps.size())) {
-            const std::string list = matrixPath(session);
-            submit(session,
-                   {.name = words.nameOf(*pressed), .edits = {editOf(*pressed, list, i)}, .path = list});
-        }
-        paramRows(session, steps[i].owner, matrixStepTable(), {.captions = false});
-        ImGui::Separator();
-        ImGui::PopID();
-    }
-    addStepButtons(session, 3);
+    stepRows(session, steps, places);
+    addStepButtons(session, steps, 3);
     motionButtons(session);
+    modelSteps(session, places);
     ImGui::Spacing();
 }
 

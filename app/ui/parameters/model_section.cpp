@@ -103,8 +103,12 @@ void modelSection(const Session& session) {
             session,
             {&model.mesh, &initial, fmt::format("{}.{}", places.front().owner.path, keyOf<&Model::mesh>())},
             model.mesh);
+    RowOptions options;
+    options.leavesOut = [](const ParamRow& row) { // it is with the steps
+        return row.member == memberId<&Model::pushMatrix>;
+    };
     for (const ShownStruct& place : places) // the model and its own material
-        paramRows(session, place.owner, *place.table);
+        paramRows(session, place.owner, *place.table, options);
 }
 
 } // namespace texplorer::ui

@@ -23,11 +23,12 @@ namespace {
 
 /// The section in which a parameter is edited.
 Section sectionOf(std::string_view path) {
-    constexpr std::array<std::pair<std::string_view, Section>, 11> parts{{{"textures[", Section::Texture},
+    constexpr std::array<std::pair<std::string_view, Section>, 12> parts{{{"textures[", Section::Texture},
                                                                           {".combine", Section::Combine},
                                                                           {".texGen", Section::Coordinates},
                                                                           {".emboss", Section::Coordinates},
                                                                           {".matrix", Section::Matrix},
+                                                                          {".pushMatrix", Section::Matrix},
                                                                           {".texture", Section::Texture},
                                                                           {".units", Section::Unit},
                                                                           {"models[", Section::Model},
@@ -97,8 +98,10 @@ std::vector<Mark> generatedMarks(const Unit& unit) {
     return marks;
 }
 
-std::vector<Mark> matrixMarks(const Unit& unit) {
-    const std::size_t steps = unit.matrix.size();
+std::vector<Mark> matrixMarks(const Session& session) {
+    std::size_t steps = selectedUnit(session).matrix.size();
+    if (const Model* model = selectedModel(session))
+        steps += model->units[static_cast<std::size_t>(session.look.selection.unit)].matrix.size();
     if (steps == 0)
         return {};
     return {{Sentence::plural("{0} step", "{0} steps", steps), color::changed}};
@@ -108,8 +111,10 @@ std::vector<Mark> matrixMarks(const Unit& unit) {
 void unitSection(const Session& session) {
     const std::string_view environment = findParam(unitTable(), keyOf<&Unit::envMode>())->group;
     RowOptions options;
-    // The texture is chosen by its name, in the place where it is edited.
-    options.leavesOut = [](const ParamRow& row) { return row.member == memberId<&Unit::texture>; };
+    // The texture is chosen by its name, in the place where it is edited, and the matrix has its own section.
+    options.leavesOut = [](const ParamRow& row) {
+        return row.member == memberId<&Unit::texture> || row.member == memberId<&Unit::matrixStart>;
+    };
     options.after = [&](std::string_view group) {
         if (group == environment)
             environmentLine(session);
@@ -127,7 +132,7 @@ void unitTab(const Session& session, const Pictures& /*pictures*/) {
 }
 
 void coordinatesTab(const Session& session, const Pictures& /*pictures*/) {
-    if (section(session, Section::Matrix, matrixMarks(selectedUnit(session))))
+    if (section(session, Section::Matrix, matrixMarks(session)))
         matrixSection(session);
     if (section(session, Section::Coordinates, generatedMarks(selectedUnit(session))))
         coordinatesSection(session);

@@ -47,6 +47,17 @@ void addUnitPlaces(Places& places, const Session& session) {
                           Sentence("Matrix step {0}", i + 1),
                           {&unit.matrix[i], &initialStep, path + elementOf<&Unit::matrix>(i)},
                           &matrixStepTable()});
+    const Model* model = selectedModel(session);
+    const auto number = static_cast<std::size_t>(session.look.selection.unit);
+    for (std::size_t i = 0; model && i < model->units[number].matrix.size(); ++i)
+        places.push_back(
+            {Section::Matrix,
+             Sentence("Matrix step {0} of the model", i + 1),
+             {&model->units[number].matrix[i], &initialStep,
+              fmt::format("{}.{}.{}",
+                          elementOf<&Scene::models>(static_cast<std::size_t>(session.look.selection.model)),
+                          elementOf<&Model::units>(number), elementOf<&ModelUnit::matrix>(i))},
+             &matrixStepTable()});
 }
 
 void addModelPlaces(Places& places, const Session& session) {

@@ -183,6 +183,22 @@ TEST_F(ParametersPanel, MatrixStepsAreAddedMovedAndRemoved) {
     EXPECT_EQ(unit().matrix[0].op, MatrixOp::Rotate);
 }
 
+TEST_F(ParametersPanel, ModelsHaveMatrixStepsOfTheirOwn) {
+    open("Texture matrix");
+    choose("passes[0].units[0].matrixStart", "keep");
+    EXPECT_EQ(unit().matrixStart, MatrixStart::Keep);
+    EXPECT_FALSE(has("models[0].pushMatrix")) << "there is nothing to push it for";
+    press("model's add:scale");
+    const std::vector<MatrixStep>& steps = scene().models[0].units[0].matrix;
+    ASSERT_EQ(steps.size(), 1U);
+    EXPECT_EQ(steps[0].amount, glm::vec3(1));
+    press("models[0].pushMatrix");
+    EXPECT_FALSE(scene().models[0].pushMatrix);
+    press("models[0].units[0].matrix[0]#remove");
+    EXPECT_TRUE(steps.empty());
+    EXPECT_TRUE(unit().matrix.empty());
+}
+
 TEST_F(ParametersPanel, PassesAreAddedExchangedSwitchedOffAndRemoved) {
     EXPECT_FALSE(has("pass:0")) << "there is nothing to choose from";
     open("Pass");
@@ -238,6 +254,7 @@ TEST_F(ParametersPanel, AFileSourceWithoutAFileAsksForOne) {
 TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
     unit().matrix.resize(1);
     unit().matrix[0].op = MatrixOp::Rotate;
+    scene().models[0].units[0].matrix = unit().matrix;
     unit().envMode = EnvMode::Combine;
     scene().passes[0].fog.enabled = true;
     for (TexGen* each : {&unit().texGenS, &unit().texGenT, &unit().texGenR, &unit().texGenQ})
@@ -276,6 +293,8 @@ TEST_F(ParametersPanel, EveryParameterOfTheSelectionHasItsWidget) {
     expectRows({&unit().texGenR, nullptr, first + ".texGenR"}, texGenTable(2));
     expectRows({&unit().texGenQ, nullptr, first + ".texGenQ"}, texGenTable(3));
     expectRows({unit().matrix.data(), nullptr, first + ".matrix[0]"}, matrixStepTable());
+    expectRows({s.models[0].units[0].matrix.data(), nullptr, "models[0].units[0].matrix[0]"},
+               matrixStepTable());
     EXPECT_GT(rows, 50);
     EXPECT_TRUE(names.contains("texture choice"));
 }
