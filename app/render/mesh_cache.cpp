@@ -3,6 +3,7 @@
 #include "texplorer/glsl/vertex_attributes.h"
 #include "texplorer/scene/emboss.h"
 #include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/sent_vertices.h"
 #include "texplorer/scene/tex_coords.h"
 
 #include <cstddef>
@@ -73,7 +74,8 @@ MeshCache::MeshSlot& MeshCache::meshOf(const Model& model, std::size_t index) {
 
 void MeshCache::bind(const Scene& scene, const Pass& pass, std::size_t index, double time,
                      const std::array<CoordUse, maxUnits>& units) {
-    const MeshSlot& slot = meshOf(scene.models[index], index);
+    const SentModel sent(scene.models[index]);
+    const MeshSlot& slot = meshOf(*sent, index);
     bound_ = &slot;
 
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, slot.indices.name());
@@ -82,7 +84,7 @@ void MeshCache::bind(const Scene& scene, const Pass& pass, std::size_t index, do
     for (int unit = 0; unit < maxUnits; ++unit) {
         const auto at = static_cast<std::size_t>(unit);
         if (units[at] != CoordUse::Off)
-            bindCoords(scene, pass, time, {index, unit, pass.units[at].emboss.enabled}, units[at]);
+            bindCoords(scene, pass, *sent, time, {index, unit, pass.units[at].emboss.enabled}, units[at]);
     }
 }
 
@@ -119,10 +121,9 @@ void MeshCache::pointAtCoords(int unit, int stride, std::size_t offset) const {
     glTexCoordPointer(4, GL_FLOAT, stride, offsetInBuffer(offset));
 }
 
-void MeshCache::bindCoords(const Scene& scene, const Pass& pass, double time, const CoordKey& coordKey,
-                           CoordUse use) {
+void MeshCache::bindCoords(const Scene& scene, const Pass& pass, const Model& model, double time,
+                           const CoordKey& coordKey, CoordUse use) {
     const MeshSlot& mesh = *bound_;
-    const Model& model = scene.models[coordKey.model];
     const TexCoords& own = model.texCoords[static_cast<std::size_t>(coordKey.unit)];
     if (own.empty() && !coordKey.embossed && use == CoordUse::AsGiven) {
         glBindBuffer(GL_ARRAY_BUFFER, mesh.vertices.name());

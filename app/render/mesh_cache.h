@@ -74,8 +74,8 @@ private:
     MeshSlot& meshOf(const Model& model, std::size_t index);
     void pointAtVertices() const;
     void pointAtCoords(int unit, int stride, std::size_t offset) const;
-    void bindCoords(const Scene& scene, const Pass& pass, double time, const CoordKey& coordKey,
-                    CoordUse use);
+    void bindCoords(const Scene& scene, const Pass& pass, const Model& model, double time,
+                    const CoordKey& coordKey, CoordUse use);
 
     VertexInput input_;
     std::map<MeshKey, MeshSlot> meshes_;

@@ -102,6 +102,10 @@ Scene lines(int number, Dice& state, Dice& values) {
     pass.depthTest = state.chance(2);
     pass.units[0].enabled = textured;
     pass.units[0].envMode = EnvMode::Modulate;
+    if (textured && state.chance(3)) { // points of one colour, and lines
+        for (int vertex = values.below(3); vertex < 12; vertex += 1 + values.below(4))
+            model.noTexCoord[0].push_back(vertex);
+    }
     return scene;
 }
 

@@ -196,9 +196,15 @@ void unreadCoordinates(const Case& about, Report& report) {
                    (unit.texGenS.enabled && unit.texGenT.enabled && unit.texGenR.enabled &&
                     unit.texGenQ.enabled);
         });
-        for (std::size_t m = 0; m < about.scene.models.size() && (off || generated); ++m)
-            report.add(texCoordsPath(m, u), off ? Sentence("unit {0} is off", u)
-                                                : Sentence("unit {0} generates all of its coordinates", u));
+        const Sentence reason =
+            off ? Sentence("unit {0} is off", u) : Sentence("unit {0} generates all of its coordinates", u);
+        for (std::size_t m = 0; m < about.scene.models.size() && (off || generated); ++m) {
+            report.add(texCoordsPath(m, u), reason);
+            if (!about.scene.models[m].noTexCoord[u].empty())
+                report.add(fmt::format("{}.{}", elementOf<&Scene::models>(m),
+                                       findKey(memberId<&Model::noTexCoord>, u)),
+                           reason);
+        }
     }
 }
 

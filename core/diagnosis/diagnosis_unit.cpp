@@ -7,6 +7,7 @@
 #include "texplorer/scene/emboss.h"
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/param_text.h"
+#include "texplorer/scene/sent_vertices.h"
 #include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
@@ -282,9 +283,9 @@ void noTangent(const Case& about, Report& report) {
             if (!pass.units[u].enabled || !pass.units[u].emboss.enabled)
                 continue;
             for (const std::size_t m : drawnModels(about.scene, pass)) {
-                const Model& model = about.scene.models[m];
-                const Mesh mesh = meshOf(model);
-                const auto tangents = tangentsOf(mesh, effectiveTexCoords(model, mesh, static_cast<int>(u)));
+                const SentModel model(about.scene.models[m]);
+                const Mesh mesh = meshOf(*model);
+                const auto tangents = tangentsOf(mesh, effectiveTexCoords(*model, mesh, static_cast<int>(u)));
                 const auto missing =
                     static_cast<std::size_t>(std::ranges::count_if(tangents, [](const Tangents& each) {
                         return each.s == glm::vec3(0) || each.t == glm::vec3(0);

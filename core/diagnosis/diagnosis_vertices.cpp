@@ -9,6 +9,7 @@
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/scene/params/params.h"
+#include "texplorer/scene/sent_vertices.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
@@ -177,8 +178,49 @@ void longLines(const Case& about, Report& report) {
     }
 }
 
+/// Whether a unit takes s or t, or another coordinate that its target looks at, from the vertices of a model.
+bool takesGiven(const Scene& scene, std::size_t model, std::size_t unit) {
+    return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+        const std::vector<std::size_t> drawn = drawnModels(scene, pass);
+        const Unit& each = pass.units[unit];
+        const std::array replaced{each.texGenS.enabled, each.texGenT.enabled, each.texGenR.enabled};
+        return each.enabled && std::ranges::find(drawn, model) != drawn.end() &&
+               !std::all_of(replaced.begin(), replaced.begin() + coordinatesOf(each.target),
+                            [](bool on) { return on; });
+    });
+}
+
+/// Section 2.7: glVertex takes the current coordinates.
+void noTexCoord(const Case& about, Report& report) {
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        const Model& model = about.scene.models[m];
+        if (!leavesOutCalls(model))
+            continue;
+        const std::vector<SentVertex> sent = sentVertices(model, meshOf(model));
+        for (std::size_t u = 0; u < maxUnits; ++u) {
+            const auto isLeftOut = [u](const SentVertex& each) { return each.coordsOf[u] != each.vertex; };
+            const auto first = std::ranges::find_if(sent, isLeftOut);
+            if (first == sent.end() || !takesGiven(about.scene, m, u))
+                continue;
+            const Sentence sentence =
+                first->coordsOf[u]
+                    ? Sentence("vertex {0} has no glTexCoord: it shows the colour at the coordinates of "
+                               "vertex {1}, which is sent before it",
+                               first->vertex, *first->coordsOf[u])
+                    : Sentence("vertex {0} has no glTexCoord, and none is sent before it: it shows the "
+                               "colour at (0, 0)",
+                               first->vertex);
+            const std::string path =
+                fmt::format("{}.{}", elementOf<&Scene::models>(m), findKey(memberId<&Model::noTexCoord>, u));
+            report.add(path, andMore(sentence, model.noTexCoord[u].size() - 1),
+                       Fix{N_("Send glTexCoord"), {{path, ""}}});
+        }
+    }
+}
+
 constexpr std::array vertexRuleRows{
     Rule{"zero-normal", Severity::Warning, zeroNormal},
+    Rule{"no-tex-coord", Severity::Warning, noTexCoord},
     Rule{"sphere-map-rim", Severity::Warning, sphereMapRim},
     Rule{"far-coordinates", Severity::Note, farCoordinates},
     Rule{"long-line", Severity::Note, longLines},

@@ -134,7 +134,7 @@ void Emission::refuseShapes() {
                 paths.push_back(unitPath(p, u, {key(), keyOf<&TexGen::enabled>()}));
             for (const std::size_t m : drawn)
                 static_cast<void>(keys.decided(scene, paths, [&](const Scene& other) {
-                    return takesCoords(other, other.passes[p], u, other.models[m]);
+                    return takesCoords(other, other.passes[p], u, m);
                 }));
         }
     }

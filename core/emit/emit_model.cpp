@@ -5,6 +5,7 @@
 #include "texplorer/scene/emboss.h"
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/sent_vertices.h"
 #include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
@@ -63,13 +64,14 @@ public:
         : emission_(emission)
         , writer_(emission.writer)
         , model_(emission.scene.models[index])
+        , sent_(model_)
         , form_(emission.models[index])
         , index_(index)
         , path_(elementOf<&Scene::models>(index))
         , variable_(fmt::format("model{}", index))
         , isTwisted_(isTwisted(model_)) {
         if (form_.drawing == Drawing::List || form_.drawing == Drawing::Arrays)
-            mesh_ = meshOf(model_);
+            mesh_ = meshOf(geometry());
     }
 
     void declare() {
@@ -193,6 +195,8 @@ public:
 
 private:
     [[nodiscard]] std::string own(std::string_view key) const { return fmt::format("{}.{}", path_, key); }
+    /// Whose vertices mesh_ has: arrays have one for each that is sent, with its coordinates.
+    [[nodiscard]] const Model& geometry() const { return form_.drawing == Drawing::List ? model_ : *sent_; }
     [[nodiscard]] bool isColored() const {
         return model_.shape == Shape::Mesh && !model_.mesh.colors.empty();
     }
@@ -202,7 +206,7 @@ private:
 
     /// A unit's, turned around where its texture lies upside down.
     [[nodiscard]] TexCoords coordsOf(std::size_t unit) const {
-        TexCoords coords = effectiveTexCoords(model_, mesh_, static_cast<int>(unit));
+        TexCoords coords = effectiveTexCoords(geometry(), mesh_, static_cast<int>(unit));
         if (emission_.flipsCoords(index_, unit)) {
             for (glm::vec4& coord : coords)
                 coord.t = coord.q - coord.t;
@@ -212,6 +216,8 @@ private:
 
     void declareArrays() {
         writer_.heading(fmt::format("model {}: {}", index_, nameOf(model_)));
+        if (leavesOutCalls(model_))
+            writer_.comment("a vertex without glTexCoord has the coordinates of the one before it");
         table("Positions", 3,
               [](const Vertex& vertex, std::size_t) { return glm::vec4(vertex.position, 0); });
         if (emission_.needsNormals)
@@ -259,11 +265,12 @@ private:
             table(
                 coordsName(unit), form_.isWritten ? coordCount(coords) : 4,
                 [&](const Vertex&, std::size_t i) { return coords[i]; },
-                emission_.flipsCoords(index_, unit) ? std::string() : coordsPath(index_, unit));
+                emission_.flipsCoords(index_, unit) || leavesOutCalls(model_) ? std::string()
+                                                                              : coordsPath(index_, unit));
         }
         if (!form_.embossed[unit])
             return;
-        const TexCoords coords = effectiveTexCoords(model_, mesh_, static_cast<int>(unit));
+        const TexCoords coords = effectiveTexCoords(geometry(), mesh_, static_cast<int>(unit));
         table(fmt::format("GivenCoords{}", unit), 4, [&](const Vertex&, std::size_t i) { return coords[i]; });
         const std::vector<Tangents> tangents = tangentsOf(mesh_, coords);
         std::vector<float> values;
@@ -303,22 +310,16 @@ private:
 
     /// Mesa divides the quadrilaterals of arrays without indices the other way (core/mesh/mesh.h).
     [[nodiscard]] bool drawsByIndices() const {
-        return hasIndices(model_) || model_.shape != Shape::Mesh ||
-               model_.mesh.primitive == Primitive::Quads || model_.mesh.primitive == Primitive::QuadStrip;
+        const Model& model = geometry();
+        return hasIndices(model) || model.shape != Shape::Mesh || model.mesh.primitive == Primitive::Quads ||
+               model.mesh.primitive == Primitive::QuadStrip;
     }
 
     /// Of a mesh those that name a vertex, in its order: the others are left out. Of a shape its triangles.
     [[nodiscard]] std::vector<std::uint32_t> indicesOf() const {
         std::vector<std::uint32_t> indices = mesh_.triangles;
-        if (model_.shape == Shape::Mesh && !isTwisted_) {
-            indices.clear();
-            for (std::size_t i = 0; i < mesh_.vertices.size() && model_.mesh.indices.empty(); ++i)
-                indices.push_back(static_cast<std::uint32_t>(i));
-            for (const int each : model_.mesh.indices) {
-                if (each >= 0 && static_cast<std::size_t>(each) < mesh_.vertices.size())
-                    indices.push_back(static_cast<std::uint32_t>(each));
-            }
-        }
+        if (geometry().shape == Shape::Mesh && !isTwisted_)
+            indices = drawnOrder(geometry().mesh);
         if (indices.empty())
             indices.push_back(0); // C has no empty array
         return indices;
@@ -403,14 +404,18 @@ private:
     void compileList() {
         writer_.add(fmt::format("{} = glGenLists(1);", variable_));
         writer_.add({call("glNewList"), plain(fmt::format("({}, GL_COMPILE); ", variable_)), nameComment()});
-        writer_.add({call("glBegin"), plain("("), primitivePart(), plain(");")});
+        const std::vector<SentVertex> sent = sentVertices(model_, mesh_);
         std::array<TexCoords, maxUnits> coords;
         for (std::size_t u = 0; u < maxUnits; ++u) {
             if (form_.coords[u])
                 coords[u] = coordsOf(u);
+            if (form_.coords[u] && !sent.empty() && !sent.front().coordsOf[u])
+                writeFirstCoords(u, coordCount(coords[u]));
         }
+        writer_.add({call("glBegin"), plain("("), primitivePart(), plain(");")});
         std::optional<glm::vec3> normal;
-        for (std::size_t i = 0; i < mesh_.vertices.size(); ++i) {
+        for (const SentVertex& each : sent) {
+            const std::size_t i = each.vertex;
             const Vertex& vertex = mesh_.vertices[i];
             writeFace(i);
             if (emission_.needsNormals && normal != givenNormal(i)) {
@@ -421,10 +426,31 @@ private:
             if (isColored())
                 writer_.add(callWith("glColor4f", numbers({&vertex.color.x, 4},
                                                           meshPath<&MeshData::colors>(i, vertex.color))));
-            writeVertex(coords, i);
+            writeVertex(coords, each);
         }
         writer_.add("glEnd();");
         writer_.add("glEndList();");
+    }
+
+    /// What is current where glTexCoord of the first vertices is left out.
+    void writeFirstCoords(std::size_t unit, int count) {
+        const glm::vec4 first(0, emission_.flipsCoords(index_, unit) ? 1 : 0, 0, 1);
+        std::vector<Part> parts = coordCall(unit, count, numbers(firstOf(first, count)));
+        parts.push_back(plain(" "));
+        parts.push_back({Part::Kind::Comment, "/* until a vertex has its own */"});
+        writer_.add(std::move(parts));
+    }
+
+    /// "glTexCoord2f(1.0f, 0.0f);", or glMultiTexCoord where several units take coordinates.
+    [[nodiscard]] std::vector<Part> coordCall(std::size_t unit, int count, std::vector<Part> values) const {
+        const bool isOne =
+            std::none_of(form_.coords.begin() + 1, form_.coords.end(), [](bool on) { return on; });
+        std::vector<Part> arguments;
+        if (!isOne)
+            arguments.push_back(plain(fmt::format("{}, ", textureUnitName(unit))));
+        append(arguments, std::move(values));
+        return callWith(fmt::format("{}{}f", isOne ? "glTexCoord" : "glMultiTexCoord", count),
+                        std::move(arguments));
     }
 
     /// As the scene has it, of any length: GL_NORMALIZE is on.
@@ -446,7 +472,7 @@ private:
 
     /// Which face begins with a vertex, of a shape that has several.
     void writeFace(std::size_t vertex) {
-        if (model_.shape == Shape::Mesh || mesh_.faces.size() < 2)
+        if (model_.shape == Shape::Mesh || hasIndices(model_) || mesh_.faces.size() < 2)
             return;
         for (const Face& face : mesh_.faces) {
             if (face.vertices.front() == vertex)
@@ -456,29 +482,23 @@ private:
 
     [[nodiscard]] Part primitivePart() const {
         return model_.shape == Shape::Mesh
-                   ? choice(primitiveOf(model_),
+                   ? choice(std::string(rowOf(sentPrimitive(model_)).name),
                             own(fmt::format("{}.{}", keyOf<&Model::mesh>(), keyOf<&MeshData::primitive>())))
-                   : plain(primitiveOf(model_));
+                   : plain(std::string(rowOf(sentPrimitive(model_)).name));
     }
 
-    /// Its coordinates and its place, on one line.
-    void writeVertex(const std::array<TexCoords, maxUnits>& coords, std::size_t vertex) {
+    /// Its coordinates, unless their call is left out, and its place, on one line.
+    void writeVertex(const std::array<TexCoords, maxUnits>& coords, const SentVertex& sent) {
+        const std::size_t vertex = sent.vertex;
         std::vector<Part> parts;
-        const bool isOne =
-            std::none_of(form_.coords.begin() + 1, form_.coords.end(), [](bool on) { return on; });
         for (std::size_t u = 0; u < maxUnits; ++u) {
-            if (coords[u].empty())
+            if (coords[u].empty() || sent.coordsOf[u] != sent.vertex)
                 continue;
             const int count = coordCount(coords[u]);
             const std::string path = emission_.flipsCoords(index_, u)
                                          ? std::string()
                                          : fmt::format("{}[{}]", coordsPath(index_, u), vertex);
-            std::vector<Part> arguments;
-            if (!isOne)
-                arguments.push_back(plain(fmt::format("{}, ", textureUnitName(u))));
-            append(arguments, numbers(firstOf(coords[u][vertex], count), path));
-            append(parts, callWith(fmt::format("{}{}f", isOne ? "glTexCoord" : "glMultiTexCoord", count),
-                                   std::move(arguments)));
+            append(parts, coordCall(u, count, numbers(firstOf(coords[u][vertex], count), path)));
             parts.push_back(plain(" "));
         }
         const glm::vec3& position = mesh_.vertices[vertex].position;
@@ -499,7 +519,7 @@ private:
         if (emission_.needsNormals)
             pointer(normalArray, "glNormalPointer(", "normal");
         for (std::size_t u = 0; u < maxUnits; ++u) {
-            if (!takesCoords(emission_.scene, pass, u, model_))
+            if (!takesCoords(emission_.scene, pass, u, index_))
                 continue;
             writer_.add(fmt::format("glClientActiveTexture({});", textureUnitName(u)),
                         u != 0 || isSecond(pass));
@@ -518,14 +538,14 @@ private:
                 writer_.comment(
                     "the triangles of a strip that covers itself: OpenGL leaves open which come first");
             writer_.add({call("glDrawElements"), plain("("),
-                         model_.shape == Shape::Mesh && !isTwisted_
+                         geometry().shape == Shape::Mesh && !isTwisted_
                              ? primitivePart()
                              : plain(std::string(rowOf(Primitive::Triangles).name)),
                          plain(fmt::format(", {}, {}, {}Indices);", indicesOf().size(), unsignedIntType,
                                            variable_))});
         } else {
             writer_.add({call("glDrawArrays"), plain("("), primitivePart(),
-                         plain(fmt::format(", 0, {});", vertexCountOf(model_)))});
+                         plain(fmt::format(", 0, {});", mesh_.vertices.size()))});
         }
         writer_.add("glPopClientAttrib();");
     }
@@ -533,7 +553,7 @@ private:
     /// Whether a unit beside the first takes coordinates.
     [[nodiscard]] bool isSecond(const Pass& pass) const {
         for (std::size_t u = 1; u < maxUnits; ++u) {
-            if (takesCoords(emission_.scene, pass, u, model_))
+            if (takesCoords(emission_.scene, pass, u, index_))
                 return true;
         }
         return false;
@@ -567,7 +587,7 @@ private:
     void drawArrays(const Pass& pass) {
         writeSize();
         for (std::size_t u = 0; u < maxUnits; ++u) {
-            if (takesCoords(emission_.scene, pass, u, model_) && pass.units[u].emboss.enabled)
+            if (takesCoords(emission_.scene, pass, u, index_) && pass.units[u].emboss.enabled)
                 moveCoords(pass, u);
         }
         writer_.add("glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);");
@@ -578,7 +598,7 @@ private:
             point(colorArray, "glColorPointer(4, ", "Colors");
         for (std::size_t u = 0; u < maxUnits; ++u) {
             const Unit& unit = pass.units[u];
-            if (!takesCoords(emission_.scene, pass, u, model_))
+            if (!takesCoords(emission_.scene, pass, u, index_))
                 continue;
             writer_.add(fmt::format("glClientActiveTexture({});", textureUnitName(u)),
                         u != 0 || isSecond(pass));
@@ -597,6 +617,7 @@ private:
     Emission& emission_;
     CodeWriter& writer_;
     const Model& model_;
+    SentModel sent_;
     const ModelForm& form_;
     std::size_t index_;
     std::string path_;

@@ -9,6 +9,7 @@
 #include "texplorer/scene/emboss.h"
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/sent_vertices.h"
 #include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
@@ -47,12 +48,13 @@ public:
         , emission_(glsl.emission)
         , writer_(glsl.emission.writer)
         , model_(glsl.emission.scene.models[index])
+        , sent_(model_)
         , index_(index)
         , path_(elementOf<&Scene::models>(index))
         , variable_(fmt::format("model{}", index))
-        , isShape_(isTurned(model_.shape) && !isEmbossed())
+        , isShape_(isTurned(sent_->shape) && !isEmbossed())
         , hasNormals_(looksAtNormals(glsl)) {
-        mesh_ = meshOf(model_);
+        mesh_ = meshOf(*sent_);
         isSmall_ = mesh_.vertices.size() <= maxWrittenVertices &&
                    drawnIndices(mesh_).size() <= 3 * maxWrittenVertices;
     }
@@ -165,11 +167,13 @@ private:
     [[nodiscard]] bool isColored() const { return mesh_.colored; }
     /// Whether an array of its own has the coordinates; else they are the shape's.
     [[nodiscard]] bool hasOwnCoords(std::size_t unit, CoordForm form) const {
-        return form == CoordForm::Flipped || !model_.texCoords[unit].empty();
+        return form == CoordForm::Flipped || !sent_->texCoords[unit].empty();
     }
 
     void declareVertices() {
         writer_.heading(fmt::format("model {}: {}", index_, nameOf(model_)));
+        if (leavesOutCalls(model_))
+            writer_.comment("a vertex without glTexCoord has the coordinates of the one before it");
         if (isEmbossed()) {
             table("Positions", 3,
                   [](const Vertex& vertex, std::size_t) { return glm::vec4(vertex.position, 0); });
@@ -239,7 +243,7 @@ private:
     }
 
     void declareCoords(std::size_t unit, CoordForm form) {
-        TexCoords coords = effectiveTexCoords(model_, mesh_, static_cast<int>(unit));
+        TexCoords coords = effectiveTexCoords(*sent_, mesh_, static_cast<int>(unit));
         if (form == CoordForm::Embossed) {
             table(coordsName(unit, form), 4, [&](const Vertex&, std::size_t i) { return coords[i]; });
             std::vector<glm::vec4> all;
@@ -266,7 +270,9 @@ private:
         if (hasOwnCoords(unit, form) || isEmbossed())
             table(
                 coordsName(unit, form), 4, [&](const Vertex&, std::size_t i) { return coords[i]; },
-                form == CoordForm::Flipped ? std::string() : own(findKey(memberId<&Model::texCoords>, unit)));
+                form == CoordForm::Flipped || leavesOutCalls(model_)
+                    ? std::string()
+                    : own(findKey(memberId<&Model::texCoords>, unit)));
     }
 
     static std::string coordsName(std::size_t unit, CoordForm form) {
@@ -432,6 +438,7 @@ private:
     Emission& emission_;
     CodeWriter& writer_;
     const Model& model_;
+    SentModel sent_; ///< its vertices, one for each that is sent
     std::size_t index_;
     std::string path_;
     std::string variable_;

@@ -3,6 +3,7 @@
 #include "texplorer/emit/program.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/sent_vertices.h"
 #include "texplorer/scene/texture_matrix.h"
 
 #include <glm/geometric.hpp>
@@ -12,11 +13,6 @@
 
 namespace texplorer::emit {
 namespace {
-
-/// Of squares, four corners each.
-bool isMadeOfQuads(Shape shape) {
-    return shape == Shape::Cube || shape == Shape::Quad || shape == Shape::Floor;
-}
 
 /// Whether some vertex has another r than 0, which is compared, or another q than 1, by which all are
 /// divided.
@@ -52,32 +48,27 @@ bool isTurned(Shape shape) {
            shape == Shape::PartialDisk || shape == Shape::Torus;
 }
 
-bool takesCoords(const Scene& scene, const Pass& pass, std::size_t index, const Model& model) {
+bool takesCoords(const Scene& scene, const Pass& pass, std::size_t index, std::size_t model) {
     const Unit& unit = pass.units[index];
     if (!unit.enabled)
         return false;
     const std::array generated{unit.texGenS.enabled, unit.texGenT.enabled, unit.texGenR.enabled,
                                unit.texGenQ.enabled};
-    const bool looksAtAll = !textureSteps(scene, static_cast<std::size_t>(&pass - scene.passes.data()), index,
-                                          static_cast<std::size_t>(&model - scene.models.data()))
-                                 .empty() ||
-                            givesRorQ(model, index);
+    const bool looksAtAll =
+        !textureSteps(scene, static_cast<std::size_t>(&pass - scene.passes.data()), index, model).empty() ||
+        givesRorQ(scene.models[model], index);
     const int looked = looksAtAll ? 4 : coordinatesOf(unit.target);
     return !std::all_of(generated.begin(), generated.begin() + looked, [](bool on) { return on; });
 }
 
 bool hasIndices(const Model& model) {
-    return model.shape == Shape::Mesh ? !model.mesh.indices.empty() : !isMadeOfQuads(model.shape);
-}
-
-std::string primitiveOf(const Model& model) {
-    if (model.shape == Shape::Mesh)
-        return std::string(rowOf(model.mesh.primitive).name);
-    return std::string(rowOf(isMadeOfQuads(model.shape) ? Primitive::Quads : Primitive::Triangles).name);
+    return model.shape == Shape::Mesh ? !model.mesh.indices.empty()
+                                      : sentPrimitive(model) != Primitive::Quads;
 }
 
 ModelForm formOf(const Scene& scene, std::size_t index, bool flips) {
-    const Model& model = scene.models[index];
+    const SentModel sent(scene.models[index]);
+    const Model& model = *sent;
     ModelForm form;
     int passes = 0;
     for (const Pass& pass : scene.passes) {
@@ -85,15 +76,16 @@ ModelForm formOf(const Scene& scene, std::size_t index, bool flips) {
         passes += static_cast<int>(std::ranges::count(drawn, index));
         for (std::size_t u = 0; u < maxUnits && std::ranges::find(drawn, index) != drawn.end(); ++u) {
             const Unit& unit = pass.units[u];
-            form.coords[u] |= takesCoords(scene, pass, u, model) && !unit.emboss.enabled;
-            form.embossed[u] |= takesCoords(scene, pass, u, model) && unit.emboss.enabled;
+            const bool takes = takesCoords(scene, pass, u, index);
+            form.coords[u] |= takes && !unit.emboss.enabled;
+            form.embossed[u] |= takes && unit.emboss.enabled;
         }
     }
     if (passes == 0)
         return form;
     const bool isEmbossed = std::ranges::find(form.embossed, true) != form.embossed.end();
     const bool isSmall = vertexCountOf(model) <= maxWrittenVertices;
-    const bool isPlain = isMadeOfQuads(model.shape) || model.shape == Shape::Mesh;
+    const bool isPlain = model.shape == Shape::Mesh || sentPrimitive(model) == Primitive::Quads;
     bool hasOwnCoords = false;
     for (std::size_t u = 0; u < maxUnits; ++u)
         hasOwnCoords |= form.coords[u] && !model.texCoords[u].empty();

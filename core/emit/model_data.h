@@ -31,7 +31,7 @@ struct ModelForm {
 
 /// Whether any coordinate that a unit of a pass looks at comes from the model's vertices. A texture matrix
 /// looks at all four. The pass and the model are the scene's.
-[[nodiscard]] bool takesCoords(const Scene& scene, const Pass& pass, std::size_t unit, const Model& model);
+[[nodiscard]] bool takesCoords(const Scene& scene, const Pass& pass, std::size_t unit, std::size_t model);
 
 /// `flips`: whether t of its coordinates is turned around for some unit.
 [[nodiscard]] ModelForm formOf(const Scene& scene, std::size_t model, bool flips);
@@ -41,10 +41,6 @@ struct ModelForm {
 
 /// Turned about an axis: a function of the program makes it.
 [[nodiscard]] bool isTurned(Shape shape);
-
-/// What glBegin is given: GL_QUADS of a cube, the primitive of a mesh; of what is declared as an array of
-/// indices, GL_TRIANGLES.
-[[nodiscard]] std::string primitiveOf(const Model& model);
 
 /// A strip of quadrilaterals of which some isn't flat and convex: which of its triangles comes first, and
 /// covers the other, OpenGL leaves open, and Mesa has it one way where it clips and the other where it

@@ -107,17 +107,6 @@ std::vector<std::uint32_t> upTo(std::size_t count) {
     return numbers;
 }
 
-std::vector<std::uint32_t> drawnOrder(const MeshData& data) {
-    if (data.indices.empty())
-        return upTo(data.positions.size());
-    std::vector<std::uint32_t> order;
-    order.reserve(data.indices.size());
-    for (const int index : data.indices)
-        if (index >= 0 && static_cast<std::size_t>(index) < data.positions.size())
-            order.push_back(static_cast<std::uint32_t>(index));
-    return order;
-}
-
 /// The vertices that complete a part.
 Order completeParts(Order order, const Assembly& assembly) {
     if (order.size() < assembly.minVertices)
@@ -172,6 +161,17 @@ Value entryOr(const std::vector<Value>& list, std::size_t index, const MeshData&
 }
 
 } // namespace
+
+std::vector<std::uint32_t> drawnOrder(const MeshData& data) {
+    if (data.indices.empty())
+        return upTo(data.positions.size());
+    std::vector<std::uint32_t> order;
+    order.reserve(data.indices.size());
+    for (const int index : data.indices)
+        if (index >= 0 && static_cast<std::size_t>(index) < data.positions.size())
+            order.push_back(static_cast<std::uint32_t>(index));
+    return order;
+}
 
 Mesh makeMesh(const MeshData& data) {
     Mesh mesh;

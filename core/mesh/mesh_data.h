@@ -27,6 +27,9 @@ struct MeshData {
 inline constexpr std::size_t maxMeshVertices = 65536;
 inline constexpr std::size_t maxMeshIndices = 4 * maxMeshVertices;
 
+/// The vertices as they are sent, one after the other; invalid indices are left out.
+[[nodiscard]] std::vector<std::uint32_t> drawnOrder(const MeshData& data);
+
 /// Makes triangles, lines or points in the order in which OpenGL draws the primitive's parts; vertices that
 /// complete no part are ignored (section 2.6.1). The last vertex of a part defines its colour under GL_FLAT,
 /// as in table 2.12. Invalid indices are left out, as are lists of a wrong length.

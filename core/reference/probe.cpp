@@ -12,6 +12,7 @@
 #include "texplorer/scene/animation.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/sent_vertices.h"
 #include "texplorer/scene/tex_coords.h"
 #include "texplorer/scene/texture_matrix.h"
 
@@ -55,6 +56,34 @@ Sentence faceOf(const Mesh& mesh, std::span<const std::uint32_t> part) {
     }
     return {};
 }
+
+/// The scene's numbers of the vertices that are drawn, which are others if the model leaves out glTexCoord.
+class GivenVertices {
+public:
+    explicit GivenVertices(const Model& model) {
+        if (!leavesOutCalls(model))
+            return;
+        mesh_ = meshOf(model);
+        sent_ = sentVertices(model, mesh_);
+    }
+
+    [[nodiscard]] std::uint32_t vertexOf(std::uint32_t drawn) const {
+        return sent_.empty() ? drawn : sent_[drawn].vertex;
+    }
+    [[nodiscard]] std::optional<std::uint32_t> coordsOf(std::uint32_t drawn, std::size_t unit) const {
+        return sent_.empty() ? drawn : sent_[drawn].coordsOf[unit];
+    }
+    [[nodiscard]] Sentence faceOf(const Mesh& drawn, std::span<const std::uint32_t> part) const {
+        std::vector<std::uint32_t> vertices;
+        for (const std::uint32_t each : part)
+            vertices.push_back(vertexOf(each));
+        return reference::faceOf(sent_.empty() ? drawn : mesh_, vertices);
+    }
+
+private:
+    Mesh mesh_;
+    std::vector<SentVertex> sent_;
+};
 
 /// Whether a part whose corners all lie before the eye can't reach the pixel: cheaper than to set it up.
 /// `margin` pixels are allowed for rounding and for the width of lines and points.
@@ -177,8 +206,10 @@ std::vector<Cover> Prober::cover(std::span<const ShadedVertex> corners, const Pa
 
 void Prober::draw(const PassState& pass, std::size_t passIndex, std::size_t modelIndex,
                   const glm::mat4& projection) {
-    const Model& model = scene_.models[modelIndex];
+    const SentModel sentModel(scene_.models[modelIndex]);
+    const Model& model = *sentModel;
     const Mesh mesh = meshOf(model);
+    const GivenVertices names(scene_.models[modelIndex]);
     const VertexStage stage(scene_, pass, modelIndex, mesh,
                             modelViewMatrix(scene_.view, model, explanation_.time), projection,
                             {viewport_.width, viewport_.height, viewport_.cornerBits});
@@ -227,16 +258,16 @@ void Prober::draw(const PassState& pass, std::size_t passIndex, std::size_t mode
                 continue;
             fragment.pass = static_cast<int>(passIndex);
             fragment.model = static_cast<int>(modelIndex);
-            fragment.shape = model.shape;
+            fragment.shape = scene_.models[modelIndex].shape;
             fragment.part = static_cast<std::uint32_t>(number);
-            fragment.face = faceOf(mesh, part);
+            fragment.face = names.faceOf(mesh, part);
             fragment.clipped = covering.clipped;
             fragment.coloredVertices = mesh.colored;
             fragment.fromBehind = covering.triangle.seenFromBehind;
             const bool back = pass.twoSided && fragment.fromBehind;
             for (std::size_t c = 0; c < part.size(); ++c) {
                 VertexExplanation& vertex = fragment.vertices.emplace_back();
-                vertex.vertex = part[c];
+                vertex.vertex = names.vertexOf(part[c]);
                 vertex.weight = covering.weights[static_cast<int>(c)];
                 vertex.object = glm::vec4(mesh.vertices[part[c]].position, 1);
                 vertex.eye = records[c].eye;
@@ -249,6 +280,9 @@ void Prober::draw(const PassState& pass, std::size_t passIndex, std::size_t mode
                 vertex.secondary = back ? shaded.back.secondary : shaded.secondary;
             }
             explain(fragment, covering, pass, records, given, embossed);
+            for (UnitExplanation& unit : fragment.units)
+                for (std::size_t c = 0; c < part.size(); ++c)
+                    unit.vertices[c].of = names.coordsOf(part[c], static_cast<std::size_t>(unit.unit));
             explanation_.fragments.push_back(std::move(fragment));
             explained_.push_back(covering.triangle);
         }

@@ -3,6 +3,7 @@
 #include "texplorer/scene/model_mesh.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace texplorer {
 namespace {
@@ -25,6 +26,16 @@ void eachVertexList(Model& model, const auto& edit) {
     edit(mesh.positions);
 }
 
+/// Calls `edit` with the numbers of the vertices without glTexCoord; those of no vertex are dropped.
+void eachLeftOut(Model& model, const auto& edit) {
+    for (std::vector<int>& numbers : model.noTexCoord) {
+        std::erase_if(numbers, [count = model.mesh.positions.size()](int number) {
+            return std::cmp_greater_equal(number, count);
+        });
+        edit(numbers);
+    }
+}
+
 /// How many vertices each part takes for itself alone; 1 where parts share them.
 std::size_t ownVertices(Primitive primitive) {
     switch (primitive) {
@@ -45,6 +56,14 @@ bool hasRoom(const MeshData& mesh) {
 
 /// Adds one like `vertex` before the one that is at `at` so far.
 void insertLike(Model& model, std::size_t vertex, std::size_t at) {
+    const int number = static_cast<int>(at);
+    eachLeftOut(model, [&](std::vector<int>& numbers) {
+        const bool also = std::ranges::find(numbers, static_cast<int>(vertex)) != numbers.end();
+        for (int& each : numbers)
+            each += each >= number ? 1 : 0;
+        if (also)
+            numbers.insert(std::ranges::lower_bound(numbers, number), number);
+    });
     eachVertexList(model, [&](auto& list) {
         const auto value = list[vertex];
         list.insert(list.begin() + static_cast<std::ptrdiff_t>(at), value);
@@ -108,8 +127,10 @@ bool appendVertex(Model& model, std::size_t like) {
     if (!hasRoom(mesh))
         return false;
     const std::size_t count = mesh.positions.size();
-    if (count == 0)
+    if (count == 0) {
         eachVertexList(model, [](auto& list) { list.clear(); });
+        eachLeftOut(model, [](std::vector<int>& /*numbers*/) {}); // there is no vertex
+    }
     if (!mesh.indices.empty())
         mesh.indices.push_back(static_cast<int>(count));
     if (count == 0)
@@ -134,9 +155,14 @@ bool duplicateVertex(Model& model, std::size_t vertex) {
 
 void removeVertex(Model& model, std::size_t vertex) {
     MeshData& mesh = model.mesh;
+    const int removed = static_cast<int>(vertex);
+    eachLeftOut(model, [&](std::vector<int>& numbers) {
+        std::erase(numbers, removed);
+        for (int& each : numbers)
+            each -= each > removed ? 1 : 0;
+    });
     eachVertexList(model,
                    [&](auto& list) { list.erase(list.begin() + static_cast<std::ptrdiff_t>(vertex)); });
-    const int removed = static_cast<int>(vertex);
     const std::size_t part = ownVertices(mesh.primitive);
     std::vector<int> left;
     for (std::size_t first = 0; first < mesh.indices.size(); first += part) {

@@ -7,7 +7,7 @@ namespace texplorer {
 
 // Edits of the vertices of a model of Shape::Mesh. Lists of normals, colours and coordinates that do not have
 // an entry for each vertex have no effect; functions that add or remove a vertex remove them, so that they do
-// not fit by accident.
+// not fit by accident. The numbers of vertices without glTexCoord (Model::noTexCoord) follow their vertices.
 
 /// Converts a shape to a mesh with the same vertices in the same order, which draws the same picture:
 /// GL_QUADS if each four of them are a quadrilateral, else GL_TRIANGLES with indices. The lists of

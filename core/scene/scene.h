@@ -151,6 +151,8 @@ struct Model {
     Material material{};                         ///< if ownMaterial
     MeshData mesh{};                             ///< for Shape::Mesh
     std::array<TexCoords, maxUnits> texCoords{}; ///< one list per unit; empty: the mesh's
+    /// Per unit: the vertices whose glTexCoord is left out (texplorer/scene/sent_vertices.h).
+    std::array<std::vector<int>, maxUnits> noTexCoord{};
     bool pushMatrix = true; ///< glPushMatrix and glPopMatrix around the model: its steps hold for it alone
     std::array<ModelUnit, maxUnits> units{};
 

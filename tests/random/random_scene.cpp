@@ -294,6 +294,15 @@ void fit(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
         }
     }
     fitKeys(scene, generator, dice, hasFiles);
+    for (Model& model : scene.models) {
+        const std::size_t count = vertexCountOf(model);
+        for (std::vector<int>& leftOut : model.noTexCoord) {
+            if (count == 0 || count > maxOwnCoordinates || !dice.chance(6))
+                continue;
+            for (int vertex = dice.below(4); std::cmp_less(vertex, count); vertex += 1 + dice.below(5))
+                leftOut.push_back(vertex);
+        }
+    }
 }
 
 bool passesSomething(CompareFunc func) {
@@ -310,6 +319,7 @@ void letItBeSeen(Scene& scene) {
     if (model.shape == Shape::Mesh && model.mesh.positions.size() < 3) {
         model.shape = Shape::Cube;
         model.texCoords = {};
+        model.noTexCoord = {};
     }
     if (model.attachment == Attachment::Eye) // in front of it, like the others
         model.position.z = -scene.view.distance;
@@ -358,6 +368,7 @@ void takeAwayWhatDiffers(Scene& scene) {
         if (drawsAPartTwice(model) && model.shape == Shape::Torus) {
             model.stacks = minStacks + 1;
             model.texCoords = {}; // which don't fit any more
+            model.noTexCoord = {};
         } else if (drawsAPartTwice(model)) {
             model.mesh.primitive = Primitive::Points;
             model.mesh.indices.clear();

@@ -171,6 +171,10 @@ Json jsonOf(const UnitExplanation& unit) {
               {"perPixelY", listOf(unit.derivatives.dy)},
               {"magFilter", nameOf(unit.sampler.magFilter)},
               {"minFilter", nameOf(unit.sampler.minFilter)}};
+    for (std::size_t i = 0; i < unit.vertices.size(); ++i) {
+        const std::optional<std::uint32_t> of = unit.vertices[i].of;
+        json["atVertices"][i]["givenOf"] = of ? Json(*of) : Json();
+    }
     if (isDepth(unit.internalFormat)) {
         json["compareMode"] = nameOf(unit.sampler.compareMode);
         json["compareFunc"] = nameOf(unit.sampler.compareFunc);

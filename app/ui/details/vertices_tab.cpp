@@ -11,6 +11,7 @@
 #include "texplorer/scene/mesh_edits.h"
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/sent_vertices.h"
 #include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
@@ -169,6 +170,8 @@ struct List {
     const VertexPartRow& part;
     std::string path;
     const TexCoords& coords; ///< for VertexPart::Coordinates
+    /// For VertexPart::Coordinates: whose coordinates each has (coordSources). Else empty.
+    const std::vector<std::optional<std::uint32_t>>& sources;
     int components;
     bool together;
     std::optional<std::size_t>& revealed; ///< VerticesTabState's
@@ -199,6 +202,29 @@ void nameField(const char* letter, int component) {
     noteDrawn(fmt::format("field letter:{}", letter), {left, low.y}, {left + em, high.y});
 }
 
+/// The width of the column with the calls.
+float callWidth() {
+    return ImGui::CalcTextSize("glTexCoord").x;
+}
+
+/// A checkbox, and if the call is left out, whose coordinates the vertex has.
+void callCell(const Session& session, const List& list, std::size_t vertex) {
+    const std::optional<std::uint32_t> source = list.sources[vertex];
+    bool sends = source == vertex;
+    ImGui::TableNextColumn();
+    if (ImGui::Checkbox("##call", &sends)) {
+        chooseVertex(session, list, vertex);
+        submitLeftOut(session, vertex, !sends);
+    }
+    item(fmt::format("glTexCoord:{}", vertex),
+         "Off: the vertex is sent without glTexCoord. It has the coordinates of the vertex sent before it, "
+         "whose number is shown; the first ones have 0, 0.");
+    if (source == vertex)
+        return;
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    plainText(source ? "= " + std::to_string(*source) : "= 0, 0", color::dim);
+}
+
 void vertexRow(const Session& session, const List& list, std::size_t vertex) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -213,6 +239,9 @@ void vertexRow(const Session& session, const List& list, std::size_t vertex) {
     ImGui::PopStyleColor();
     glm::vec4 value = valueOf(session, list, vertex);
     bool changed = false;
+    const bool isLeftOut = !list.sources.empty() && list.sources[vertex] != vertex;
+    if (isLeftOut) // kept for when it is sent again
+        ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * 0.5F);
     for (int i = 0; i < list.components; ++i) {
         ImGui::TableNextColumn();
         ImGui::PushID(i);
@@ -225,6 +254,10 @@ void vertexRow(const Session& session, const List& list, std::size_t vertex) {
         sealAfterItem(session);
         ImGui::PopID();
     }
+    if (isLeftOut)
+        ImGui::PopStyleVar();
+    if (!list.sources.empty())
+        callCell(session, list, vertex);
     ImGui::PopID();
     if (!changed)
         return;
@@ -247,11 +280,14 @@ void faceTable(const Session& session, const List& list, const std::vector<std::
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings;
     const float top = ImGui::GetCursorPosY();
     const float height = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().CellPadding.y;
-    if (!ImGui::BeginTable("face", 1 + list.components, flags))
+    const bool hasCalls = !list.sources.empty();
+    if (!ImGui::BeginTable("face", 1 + list.components + (hasCalls ? 1 : 0), flags))
         return;
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 2.2F);
     for (int i = 0; i < list.components; ++i)
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+    if (hasCalls)
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, callWidth());
     const auto rows = [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i)
             if (vertices[i] < list.coords.size())
@@ -275,11 +311,17 @@ void faceTable(const Session& session, const List& list, const std::vector<std::
 /// The names of the columns in their colours.
 void header(const List& list) {
     const float indent = ImGui::GetFontSize() * 2.2F + ImGui::GetStyle().CellPadding.x * 2;
-    const float width = (ImGui::GetContentRegionAvail().x - indent) / static_cast<float>(list.components);
+    const float calls = list.sources.empty() ? 0 : callWidth() + ImGui::GetStyle().CellPadding.x * 2;
+    const float room = ImGui::GetContentRegionAvail().x - indent - calls;
+    const float width = room / static_cast<float>(list.components);
     for (int i = 0; i < list.components; ++i) {
         ImGui::SameLine(indent + width * (static_cast<float>(i) + 0.5F));
         plainText(list.part.names.at(static_cast<std::size_t>(i)), componentColor(i));
     }
+    if (list.sources.empty())
+        return;
+    ImGui::SameLine(indent + room + ImGui::GetStyle().CellPadding.x);
+    plainText("glTexCoord", color::dim);
 }
 
 /// Vertices that belong to no part of the primitive; they are not listed elsewhere.
@@ -349,7 +391,10 @@ void drawVerticesTab(const Session& session, VerticesTabState& state) {
     const TexCoords coords = effectiveTexCoords(*selectedModel(session), mesh, session.look.selection.unit);
     const auto usesRq = [](const glm::vec4& each) { return each.z != 0 || each.w != 1; };
     const bool two = part.part == VertexPart::Coordinates && !showRq && std::ranges::none_of(coords, usesRq);
-    const List list{part, path, coords, two ? 2 : part.components, state.together, state.revealed};
+    std::vector<std::optional<std::uint32_t>> sources;
+    if (part.part == VertexPart::Coordinates)
+        sources = coordSources(*selectedModel(session), mesh, session.look.selection.unit);
+    const List list{part, path, coords, sources, two ? 2 : part.components, state.together, state.revealed};
     ImGui::BeginChild("vertices");
     if (idle)
         ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * 0.6F);

@@ -76,7 +76,7 @@ void reveal(Session& session, const std::string& path) {
         selection.unit = unit;
     if (const int model = indexIn(path, "models"); model >= 0) {
         selection.model = model;
-        if (path.find("texCoords") != std::string::npos)
+        if (path.find("texCoords") != std::string::npos || path.find("noTexCoord") != std::string::npos)
             session.window.wantedTab = Tab::Vertices; // where they are edited
     }
     // A texture is edited through a unit that it is bound to; one that is on comes first.

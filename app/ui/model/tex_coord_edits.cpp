@@ -1,6 +1,8 @@
 #include "app/ui/model/tex_coord_edits.h"
 
 #include "app/ui/model/session.h"
+#include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/sent_vertices.h"
 
 #include <fmt/core.h>
 #include <glm/glm.hpp>
@@ -43,6 +45,17 @@ void dragTexCoords(const Session& session, Sentence name, TexCoords coords) {
     Step step = coordsStep(session, std::move(name), std::move(coords));
     step.continues = true;
     submit(session, std::move(step));
+}
+
+void submitLeftOut(const Session& session, std::size_t vertex, bool leftOut) {
+    const Selection& selection = session.look.selection;
+    submit(
+        session,
+        leftOut ? Sentence("Leave out glTexCoord of vertex {0}", vertex)
+                : Sentence("Send glTexCoord of vertex {0}", vertex),
+        [&](Scene& scene) { setLeftOut(selectedModel(scene, selection), selection.unit, vertex, leftOut); },
+        fmt::format("{}.{}", elementOf<&Scene::models>(static_cast<std::size_t>(selection.model)),
+                    findKey(memberId<&Model::noTexCoord>, static_cast<std::size_t>(selection.unit))));
 }
 
 void scaleCoords(TexCoords& coords, float factor) {

@@ -23,6 +23,9 @@ void submitTexCoords(const Session& session, Sentence name, TexCoords coords);
 /// A part of a drag, with any coordinates.
 void dragTexCoords(const Session& session, Sentence name, TexCoords coords);
 
+/// Submits a step that leaves out the vertex's glTexCoord for the selected model and unit, or sends it again.
+void submitLeftOut(const Session& session, std::size_t vertex, bool leftOut);
+
 // The actions of the buttons above the vertex list, on all coordinates of a model. r and q stay unchanged.
 
 void scaleCoords(TexCoords& coords, float factor); ///< about (0, 0): 2 shows the image twice as often

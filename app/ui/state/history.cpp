@@ -19,6 +19,8 @@ std::size_t bytesOf(const Scene& scene) {
                  all(mesh.indices);
         for (const TexCoords& coords : model.texCoords)
             bytes += all(coords);
+        for (const std::vector<int>& numbers : model.noTexCoord)
+            bytes += all(numbers);
     }
     for (const KeyFrame& key : scene.timeline.keys)
         bytes += sizeof key + key.path.size() + key.value.size();

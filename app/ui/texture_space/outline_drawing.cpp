@@ -266,16 +266,17 @@ void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, cons
     Edges thinChosen; // of a face with very many edges
     Edges strongChosen;
     Edges chosenDiagonals;
-    for (const Face& face : mesh.faces) {
+    for (std::size_t i = 0; i < std::min(mesh.faces.size(), coords.outlines().size()); ++i) {
+        const Face& face = coords.outlines()[i];
         const std::size_t count = face.vertices.size();
-        const bool isChosen = contains(face, marks.vertex);
+        const bool isChosen = contains(mesh.faces[i], marks.vertex);
         if (isChosen && count <= maxEdges) {
-            addDiagonal(chosenDiagonals, face, places);
-            addOutline(count <= maxStrongEdges ? strongChosen : thinChosen, face, places);
+            addDiagonal(chosenDiagonals, face, coords.outlinePlaces());
+            addOutline(count <= maxStrongEdges ? strongChosen : thinChosen, face, coords.outlinePlaces());
         } else if (!isChosen && edges <= maxEdges) {
             if (round)
-                addDiagonal(diagonals, face, places);
-            addOutline(lines, face, places);
+                addDiagonal(diagonals, face, coords.outlinePlaces());
+            addOutline(lines, face, coords.outlinePlaces());
         }
     }
     diagonals.draw(draw, canvas, diagonal);

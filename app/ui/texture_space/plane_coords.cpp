@@ -3,6 +3,8 @@
 #include "texplorer/reference/shading/coordinates.h"
 #include "texplorer/scene/animation.h"
 #include "texplorer/scene/emboss.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/sent_vertices.h"
 #include "texplorer/scene/tex_coords.h"
 #include "texplorer/texture/late_flip.h"
 
@@ -33,7 +35,8 @@ void PlaneCoords::follow(const Session& session) {
         return;
     }
     const Mesh& mesh = selectedMesh(session);
-    Key key{session.mesh.mesh, effectiveTexCoords(*model, mesh, session.look.selection.unit), unit,
+    Key key{session.mesh.mesh, effectiveTexCoords(*model, mesh, session.look.selection.unit),
+            model->noTexCoord[static_cast<std::size_t>(session.look.selection.unit)], unit,
             flipOfBound(session, unit)};
     const Selection& selection = session.look.selection;
     key.matrix = reference::coordinateMatrix(scene, static_cast<std::size_t>(selection.pass),
@@ -62,14 +65,16 @@ void PlaneCoords::makePlaces(const Session& session, const Scene& scene, const M
     // A picture that is upside down in the texture is shown upright, and its samples are moved with it.
     shown_ = key_.flip == LateFlip::None ? key_.matrix : reference::upsideDown() * key_.matrix;
     const reference::EyeSpace eye(key_.modelview);
+    sources_ = coordSources(model, mesh, selection.unit);
     const std::size_t count = given.size();
     generated_.resize(count);
     givenPlaces_.resize(count);
     resultingPlaces_.resize(count);
     differ_ = false;
     for (std::size_t i = 0; i < count; ++i) {
-        const glm::vec4 moved = relief_.empty() ? given[i] : given[i] + relief_[i];
-        generated_[i] = reference::generatedCoordinates(key_.unit, key_.flip, moved, eye(mesh.vertices[i]));
+        const glm::vec4 current = sources_[i] ? given[*sources_[i]] : glm::vec4(0, 0, 0, 1);
+        const glm::vec4 moved = relief_.empty() ? current : current + relief_[i];
+        generated_[i] = generatedFrom(moved, eye, mesh.vertices[i]);
         const glm::vec4 end = shown_ * generated_[i];
         givenPlaces_[i] = glm::vec2(given[i]);
         resultingPlaces_[i] = glm::vec2(end) / end.q;
@@ -80,6 +85,33 @@ void PlaneCoords::makePlaces(const Session& session, const Scene& scene, const M
         differ_ = differ_ || isElsewhere(givenPlaces_[i].x, resultingPlaces_[i].x) ||
                   isElsewhere(givenPlaces_[i].y, resultingPlaces_[i].y);
     }
+    makeOutlines(session, scene, model);
+}
+
+void PlaneCoords::makeOutlines(const Session& session, const Scene& scene, const Model& model) {
+    const Selection& selection = session.look.selection;
+    sent_.reset();
+    if (!leavesOutCalls(model))
+        return;
+    const SentModel drawn(model);
+    Mesh mesh = meshOf(*drawn);
+    const auto alike = [](const Face& a, const Face& b) { return a.vertices.size() == b.vertices.size(); };
+    if (!std::ranges::equal(mesh.faces, key_.mesh->faces, alike))
+        return; // a round shape, whose faces are no parts of its primitive
+    sentPlaces_.clear();
+    const reference::EyeSpace eye(key_.modelview);
+    const TexCoords coords = givenTexCoords(scene, scene.passes[static_cast<std::size_t>(selection.pass)],
+                                            selection.unit, *drawn, mesh, session.look.playback.time);
+    for (std::size_t i = 0; i < coords.size(); ++i) {
+        const glm::vec4 end = shown_ * generatedFrom(coords[i], eye, mesh.vertices[i]);
+        sentPlaces_.push_back(glm::vec2(end) / end.q);
+    }
+    sent_ = std::move(mesh);
+}
+
+glm::vec4 PlaneCoords::generatedFrom(glm::vec4 moved, const reference::EyeSpace& eye,
+                                     const Vertex& vertex) const {
+    return reference::generatedCoordinates(key_.unit, key_.flip, moved, eye(vertex));
 }
 
 Result<glm::vec4> PlaneCoords::givenFor(std::size_t vertex, glm::vec2 place) const {
@@ -91,6 +123,9 @@ Result<glm::vec4> PlaneCoords::givenFor(std::size_t vertex, glm::vec2 place) con
                         Sentence("{0} is generated ({1}): the given coordinate has no effect", names[i],
                                  rowOf(generation[i]->mode).name));
     }
+    if (sources_[vertex] != vertex)
+        return fail(ErrorCode::Unsupported,
+                    Sentence("glTexCoord of vertex {0} is left out: its coordinate has no effect", vertex));
     // (x - place.x w, y - place.y w) = 0, which is linear in s and t.
     const auto coefficient = [&](int column) {
         return glm::dvec2(shown_[column]) - glm::dvec2(place) * double{shown_[column].w};

@@ -10,7 +10,12 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
+
+namespace texplorer::reference {
+class EyeSpace;
+}
 
 namespace texplorer::ui {
 
@@ -44,6 +49,14 @@ public:
     [[nodiscard]] const std::vector<glm::vec2>& givenPlaces() const { return givenPlaces_; }
     /// The final positions; those that are not finite are left out.
     [[nodiscard]] const std::vector<glm::vec2>& resultingPlaces() const { return resultingPlaces_; }
+    /// The outlines of the mesh's faces, in its order, and the positions that they refer to: the final ones.
+    /// A vertex that leaves out glTexCoord is elsewhere each time it is sent.
+    [[nodiscard]] const std::vector<Face>& outlines() const {
+        return sent_ ? sent_->faces : key_.mesh->faces;
+    }
+    [[nodiscard]] const std::vector<glm::vec2>& outlinePlaces() const {
+        return sent_ ? sentPlaces_ : resultingPlaces_;
+    }
     /// Whether any final position differs from the given one.
     [[nodiscard]] bool differ() const { return differ_; }
 
@@ -55,6 +68,7 @@ private:
     struct Key {
         std::shared_ptr<const Mesh> mesh;
         TexCoords given;
+        std::vector<int> leftOut; ///< Model::noTexCoord
         Unit unit;
         LateFlip flip = LateFlip::None;
         glm::mat4 matrix{1};
@@ -64,11 +78,18 @@ private:
         bool operator==(const Key&) const = default;
     };
     void makePlaces(const Session& session, const Scene& scene, const Model& model);
+    void makeOutlines(const Session& session, const Scene& scene, const Model& model);
+    /// Generated from coordinates that the relief has moved.
+    [[nodiscard]] glm::vec4 generatedFrom(glm::vec4 moved, const reference::EyeSpace& eye,
+                                          const Vertex& vertex) const;
 
     Key key_;
     glm::mat4 shown_{1};  ///< from generated coordinates to the plane, before the division
     TexCoords generated_; ///< before the matrix
     TexCoords relief_;    ///< added to the given coordinates by the unit's relief; empty: nothing
+    std::vector<std::optional<std::uint32_t>> sources_; ///< coordSources
+    std::optional<Mesh> sent_; ///< with a vertex for each that is sent, if any leaves out glTexCoord
+    std::vector<glm::vec2> sentPlaces_;
     std::vector<glm::vec2> givenPlaces_;
     std::vector<glm::vec2> resultingPlaces_;
     bool differ_ = false;

@@ -38,6 +38,9 @@ struct CoordinateSteps {
     glm::vec4 embossed{0, 0, 0, 1};
     glm::vec4 generated{0, 0, 0, 1};
     glm::vec4 transformed{0, 0, 0, 1};
+    /// The vertex that `given` is of: another one if glTexCoord is left out; empty: (0, 0, 0, 1), with which
+    /// a model starts.
+    std::optional<std::uint32_t> of{};
 };
 
 /// A corner of the triangle, an end of the line, or the point.

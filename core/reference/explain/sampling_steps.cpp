@@ -68,6 +68,17 @@ void addMatrixParts(Step& step, const FragmentExplanation& fragment, const UnitE
     }
 }
 
+/// Of a vertex that has the coordinates of another one, says so.
+void addLeftOut(Step& step, std::uint32_t vertex, std::optional<std::uint32_t> of) {
+    if (!of)
+        step.rows.push_back({Sentence("glTexCoord of vertex {0} is left out, and the model has sent none "
+                                      "before it: (0, 0, 0, 1).",
+                                      vertex)});
+    else if (*of != vertex)
+        step.rows.push_back({Sentence(
+            "glTexCoord of vertex {0} is left out: the coordinates of vertex {1} stay.", vertex, *of)});
+}
+
 Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation& unit) {
     const int axes = compares(unit) ? 3 : coordinatesOf(unit.target);
     Step step{StepKind::Coordinates, unit.unit, N_("Texture coordinates"), {}};
@@ -84,6 +95,8 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
         step.rows.push_back(coordinates(indented(N_("here")), unit.pixel.*member));
     };
     stage(N_("given"), &CoordinateSteps::given);
+    for (std::size_t i = 0; i < unit.vertices.size(); ++i)
+        addLeftOut(step, fragment.vertices[i].vertex, unit.vertices[i].of);
     if (unit.embosses)
         stage(N_("moved towards the light"), &CoordinateSteps::embossed);
     std::string generated;

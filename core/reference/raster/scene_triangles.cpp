@@ -5,6 +5,7 @@
 #include "texplorer/scene/animation.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/sent_vertices.h"
 
 namespace texplorer::reference {
 
@@ -14,7 +15,8 @@ void eachTriangle(const Scene& scene, std::span<const PassState> passes, double 
                                                                   static_cast<float>(viewport.height));
     for (const PassState& pass : passes) {
         for (const std::size_t index : drawnModels(scene, *pass.pass)) {
-            const Model& model = scene.models[index];
+            const SentModel sent(scene.models[index]);
+            const Model& model = *sent;
             const Mesh mesh = meshOf(model);
             const VertexStage stage(scene, pass, index, mesh, modelViewMatrix(scene.view, model, time),
                                     projection, {viewport.width, viewport.height, viewport.cornerBits});

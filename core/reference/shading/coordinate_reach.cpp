@@ -5,6 +5,7 @@
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/emboss.h"
 #include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/sent_vertices.h"
 
 #include <glm/common.hpp>
 
@@ -18,7 +19,8 @@ glm::vec3 coordinateReach(const Scene& scene, std::size_t passIndex, std::size_t
     const Unit& state = pass.units[unit];
     glm::vec3 reach(0);
     for (const std::size_t index : drawnModels(scene, pass)) {
-        const Model& model = scene.models[index];
+        const SentModel sent(scene.models[index]);
+        const Model& model = *sent;
         const glm::mat4 matrix = coordinateMatrix(scene, passIndex, unit, index, LateFlip::None, time);
         const Mesh mesh = meshOf(model);
         const TexCoords given = givenTexCoords(scene, pass, static_cast<int>(unit), model, mesh, time);

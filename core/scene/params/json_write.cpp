@@ -163,9 +163,8 @@ private:
 
     /// Whether a list fits the others of its struct, or the scene.
     bool listFits(const ParamRow& row, const void* owner) const {
-        if (row.member == memberId<&Model::texCoords>)
-            return checkTexCoordCount(*static_cast<const Model*>(owner), std::get<TexCoords>(row.read(owner)))
-                .has_value();
+        if (findParam(modelTable(), row.key) == &row)
+            return checkVertexList(*static_cast<const Model*>(owner), row).has_value();
         if (row.member == memberId<&Pass::models>)
             return checkPassModels(scene_, *static_cast<const Pass*>(owner)).has_value();
         return checkMeshList(*static_cast<const MeshData*>(owner), row).has_value();

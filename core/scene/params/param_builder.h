@@ -141,16 +141,17 @@ constexpr ParamRow colors(std::string_view key, std::string_view group, std::str
     return row;
 }
 
-/// A row for one element of an array of texture-coordinate lists.
+/// A row for one element of an array of lists about vertices.
 template<auto Member, std::size_t Index>
-constexpr ParamRow texCoords(std::string_view key, std::string_view group, std::string_view label,
-                             std::string_view glCall, std::string_view help) {
+constexpr ParamRow vertexList(std::string_view key, std::string_view group, std::string_view label,
+                              std::string_view glCall, std::string_view help, Range range = {}) {
+    using List = typename Type<Member>::value_type;
     constexpr auto readList = [](const void* owner) -> Value { return get<Member>(owner)[Index]; };
     constexpr auto writeList = [](void* owner, const Value& value) {
-        get<Member>(owner)[Index] = std::get<TexCoords>(value);
+        get<Member>(owner)[Index] = std::get<List>(value);
     };
-    return {memberId<Member>,   key, group, label,    help,      glCall,
-            Kind::TexCoordList, {},  {},    readList, writeList, maxTexCoords};
+    return {memberId<Member>, key,   group, label,    help,      glCall,
+            kindOf<List>(),   range, {},    readList, writeList, maxTexCoords};
 }
 
 /// A member that is one struct. Its initial value is that of its owner.

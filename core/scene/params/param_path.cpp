@@ -238,7 +238,7 @@ private:
 TexCoords filledTexCoords(const Place& place) {
     const Model& model = *static_cast<const Model*>(place.owner);
     TexCoords list = std::get<TexCoords>(place.row->read(place.owner));
-    if (!list.empty() && checkTexCoordCount(model, list))
+    if (!list.empty() && checkVertexList(model, *place.row))
         return list;
     const Mesh mesh = meshOf(model);
     list.resize(mesh.vertices.size());
@@ -252,9 +252,8 @@ Result<void> checkMesh(const MeshData& mesh, const ParamRow& row) {
 }
 
 Result<void> checkInScene(const Scene& scene, const Place& place) {
-    if (place.row->member == memberId<&Model::texCoords>)
-        return checkTexCoordCount(*static_cast<const Model*>(place.owner),
-                                  std::get<TexCoords>(place.row->read(place.owner)));
+    if (place.table == &modelTable() && isList(place.row->kind))
+        return checkVertexList(*static_cast<const Model*>(place.owner), *place.row);
     if (place.row->member == memberId<&Pass::models>)
         return checkPassModels(scene, *static_cast<const Pass*>(place.owner));
     if (place.table == &meshTable() && isList(place.row->kind))

@@ -6,10 +6,15 @@ namespace {
 using build::colors;
 using build::list;
 using build::param;
-using build::texCoords;
+using build::vertexList;
 
 constexpr std::string_view texCoordHelp = N_(
     "s, t, r and q of every vertex for this texture unit. If empty, the coordinates of the mesh are used.");
+
+constexpr std::string_view noTexCoordHelp = N_(
+    "The vertices without glTexCoord for this unit, from 0. Each has the coordinates of the vertex sent before "
+    "it.");
+constexpr Range vertexNumbers{0, static_cast<float>(build::maxTexCoords - 1), 1, {}};
 
 constexpr std::array meshRows{
     param<&MeshData::primitive>("primitive", N_("Mesh"), N_("Primitive"), "glBegin({})",
@@ -91,20 +96,29 @@ constexpr std::array modelRows{
                               N_("Whether the model stays in the world or moves with the camera.")),
     param<&Model::ownMaterial>("ownMaterial", N_("Material"), N_("Own material"), "",
                                N_("Whether the model has a material of its own instead of the scene's.")),
-    texCoords<&Model::texCoords, 0>("texCoords0", N_("Texture coordinates"), N_("Unit 0"),
-                                    "glMultiTexCoord4fv(GL_TEXTURE0, {})", texCoordHelp),
-    texCoords<&Model::texCoords, 1>("texCoords1", N_("Texture coordinates"), N_("Unit 1"),
-                                    "glMultiTexCoord4fv(GL_TEXTURE1, {})", texCoordHelp),
-    texCoords<&Model::texCoords, 2>("texCoords2", N_("Texture coordinates"), N_("Unit 2"),
-                                    "glMultiTexCoord4fv(GL_TEXTURE2, {})", texCoordHelp),
-    texCoords<&Model::texCoords, 3>("texCoords3", N_("Texture coordinates"), N_("Unit 3"),
-                                    "glMultiTexCoord4fv(GL_TEXTURE3, {})", texCoordHelp),
+    vertexList<&Model::texCoords, 0>("texCoords0", N_("Texture coordinates"), N_("Unit 0"),
+                                     "glMultiTexCoord4fv(GL_TEXTURE0, {})", texCoordHelp),
+    vertexList<&Model::texCoords, 1>("texCoords1", N_("Texture coordinates"), N_("Unit 1"),
+                                     "glMultiTexCoord4fv(GL_TEXTURE1, {})", texCoordHelp),
+    vertexList<&Model::texCoords, 2>("texCoords2", N_("Texture coordinates"), N_("Unit 2"),
+                                     "glMultiTexCoord4fv(GL_TEXTURE2, {})", texCoordHelp),
+    vertexList<&Model::texCoords, 3>("texCoords3", N_("Texture coordinates"), N_("Unit 3"),
+                                     "glMultiTexCoord4fv(GL_TEXTURE3, {})", texCoordHelp),
+    vertexList<&Model::noTexCoord, 0>("noTexCoord0", N_("Texture coordinates"), N_("Left out for unit 0"), "",
+                                      noTexCoordHelp, vertexNumbers),
+    vertexList<&Model::noTexCoord, 1>("noTexCoord1", N_("Texture coordinates"), N_("Left out for unit 1"), "",
+                                      noTexCoordHelp, vertexNumbers),
+    vertexList<&Model::noTexCoord, 2>("noTexCoord2", N_("Texture coordinates"), N_("Left out for unit 2"), "",
+                                      noTexCoordHelp, vertexNumbers),
+    vertexList<&Model::noTexCoord, 3>("noTexCoord3", N_("Texture coordinates"), N_("Left out for unit 3"), "",
+                                      noTexCoordHelp, vertexNumbers),
     param<&Model::pushMatrix>("pushMatrix", N_("Texture matrix"), N_("Push, pop"), "",
                               N_("glPushMatrix and glPopMatrix around the model: its texture matrix steps "
                                  "hold for it alone. If off, what is drawn later has them, too.")),
 };
-// The array of coordinates is one member and has a row for each unit.
-static_assert(modelRows.size() == 25 && modelRows.size() + 3 == build::memberCount<Model>() - 1 + maxUnits);
+// The arrays of lists are one member each and have a row for each unit.
+static_assert(modelRows.size() == 29 &&
+              modelRows.size() + 3 == build::memberCount<Model>() - 2 + 2 * std::size_t{maxUnits});
 
 } // namespace
 

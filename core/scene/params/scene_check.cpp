@@ -8,6 +8,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
+#include <set>
 
 namespace texplorer {
 
@@ -23,6 +25,19 @@ Result<void> at(const std::string& pointer, const Result<void>& checked) {
     return fail(within(atPointer(pointer), checked.error()));
 }
 
+/// Numbers below `count`, none of them twice. `missing` is the sentence about one that isn't.
+Result<void> checkNumbers(const std::vector<int>& numbers, std::size_t count,
+                          const std::function<Sentence(int)>& missing, Sentence::Key<int> twice) {
+    std::set<int> found;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (static_cast<std::size_t>(numbers[i]) >= count)
+            return refuseElement(i, missing(numbers[i]));
+        if (!found.insert(numbers[i]).second)
+            return refuseElement(i, Sentence(twice, numbers[i]));
+    }
+    return {};
+}
+
 Result<void> checkModel(const Model& model, const std::string& pointer) {
     for (const ParamRow& row : meshTable().params) {
         if (!isList(row.kind))
@@ -32,11 +47,9 @@ Result<void> checkModel(const Model& model, const std::string& pointer) {
             return fits;
     }
     for (const ParamRow& row : modelTable().params) {
-        if (row.kind != Kind::TexCoordList)
+        if (!isList(row.kind))
             continue;
-        if (auto fits = at(fmt::format("{}/{}", pointer, row.key),
-                           checkTexCoordCount(model, std::get<TexCoords>(row.read(&model))));
-            !fits)
+        if (auto fits = at(fmt::format("{}/{}", pointer, row.key), checkVertexList(model, row)); !fits)
             return fits;
     }
     return {};
@@ -63,26 +76,30 @@ Result<void> checkMeshList(const MeshData& mesh, const ParamRow& row) {
 }
 
 Result<void> checkPassModels(const Scene& scene, const Pass& pass) {
-    for (std::size_t i = 0; i < pass.models.size(); ++i) {
-        const int model = pass.models[i];
-        if (static_cast<std::size_t>(model) >= scene.models.size())
-            return refuseElement(i,
-                                 Sentence("there is no model {0}, the scene has {1}", model,
-                                          Sentence::plural("{0} model", "{0} models", scene.models.size())));
-        const auto end = pass.models.begin() + static_cast<std::ptrdiff_t>(i);
-        if (std::find(pass.models.begin(), end, model) != end)
-            return refuseElement(i, Sentence("expected each model once, found {0} twice", model));
-    }
-    return {};
+    const auto missing = [&](int model) {
+        return Sentence("there is no model {0}, the scene has {1}", model,
+                        Sentence::plural("{0} model", "{0} models", scene.models.size()));
+    };
+    return checkNumbers(pass.models, scene.models.size(), missing,
+                        N_("expected each model once, found {0} twice"));
 }
 
-Result<void> checkTexCoordCount(const Model& model, const TexCoords& list) {
+Result<void> checkVertexList(const Model& model, const ParamRow& row) {
+    const Value list = row.read(&model);
     const std::size_t count = vertexCountOf(model);
-    if (list.empty() || list.size() == count)
+    if (const auto* numbers = std::get_if<std::vector<int>>(&list))
+        return checkNumbers(
+            *numbers, count,
+            [&](int number) {
+                return Sentence("there is no vertex {0}, the {1} has {2}", number, rowOf(model.shape).name,
+                                Sentence::plural("{0} vertex", "{0} vertices", count));
+            },
+            N_("expected each vertex once, found {0} twice"));
+    if (listSize(list) == 0 || listSize(list) == count)
         return {};
     return fail(ErrorCode::OutOfRange,
                 Sentence("expected {0} coordinates, one for each vertex of the {1}, or none; found {2}",
-                         count, ProperName{rowOf(model.shape).name}, list.size()));
+                         count, ProperName{rowOf(model.shape).name}, listSize(list)));
 }
 
 Result<void> checkUnitTexture(const Scene& scene, const Unit& unit) {

@@ -18,8 +18,9 @@ namespace texplorer {
 /// The models of a pass exist, and each occurs once.
 [[nodiscard]] Result<void> checkPassModels(const Scene& scene, const Pass& pass);
 
-/// A list of coordinates is empty or has an entry for each vertex of the model's mesh.
-[[nodiscard]] Result<void> checkTexCoordCount(const Model& model, const TexCoords& list);
+/// A list of a model: coordinates are none or one for each vertex of its mesh; numbers of vertices exist, and
+/// each occurs once.
+[[nodiscard]] Result<void> checkVertexList(const Model& model, const ParamRow& row);
 
 /// The texture of an enabled unit exists.
 [[nodiscard]] Result<void> checkUnitTexture(const Scene& scene, const Unit& unit);

@@ -100,9 +100,9 @@ OrderedJson acceptedBy(const ParamRow& row) {
     case Kind::TexCoordList:
         return elementsOf(row);
     case Kind::IndexList: {
-        const bool names = row.member == memberId<&Pass::models>; // models, each once, at least one
+        const bool names = row.member == memberId<&Pass::models>; // models, at least one
         OrderedJson list = arrayOf(wholeNumberWithin(row.range), names ? 1 : 0, row.maxCount);
-        if (names)
+        if (row.member != memberId<&MeshData::indices>) // each once
             list["uniqueItems"] = true;
         return list;
     }

@@ -1004,6 +1004,7 @@ const Wrong wrongs[] = {
      [](Scene& s) { eachModel(s, [](Model& m) { m.mesh.colors.clear(); }); }},
     {"FlatLinesAsSmooth", "lines", [](Scene& s) { s.material.shadeModel = ShadeModel::Smooth; }},
     {"TexturesOfLinesIgnored", "lines", [](Scene& s) { eachUnit(s, [](Unit& u) { u.enabled = false; }); }},
+    {"LeftOutTexCoordsSent", "lines", [](Scene& s) { eachModel(s, [](Model& m) { m.noTexCoord = {}; }); }},
     {"ColorsOfVerticesIgnored", "meshes",
      [](Scene& s) { eachModel(s, [](Model& m) { m.mesh.colors.clear(); }); }},
     {"NormalsIgnored", "meshes", [](Scene& s) { eachModel(s, [](Model& m) { m.mesh.normals.clear(); }); }},

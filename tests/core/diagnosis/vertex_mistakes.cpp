@@ -34,6 +34,18 @@ constexpr std::array vertexRows{
                 s.pass().lighting = true;
             },
             [](Subject& s) { s.pass().lighting = false; }},
+    Mistake{"NoGlTexCoord", "no-tex-coord", Warning, "models[0].noTexCoord0",
+            "vertex 2 has no glTexCoord: it shows the colour at the coordinates of vertex 1",
+            [](Subject& s) { s.scene.models[0].noTexCoord[0] = {2}; },
+            [](Subject& s) { s.scene.models[0].noTexCoord[0] = {}; }},
+    Mistake{
+        "NoGlTexCoordAtAll", "no-tex-coord", Warning, "models[0].noTexCoord0",
+        "vertex 0 has no glTexCoord, and none is sent before it: it shows the colour at (0, 0); the same is "
+        "true of 1 more",
+        [](Subject& s) {
+            s.scene.models[0].noTexCoord[0] = {0, 1};
+        },
+        [](Subject& s) { s.unit().texGenS.enabled = s.unit().texGenT.enabled = true; }},
     Mistake{"ReflectionAwayFromTheEye", "sphere-map-rim", Warning, "passes[0].units[0].texGenS",
             "at vertex 0 of models[0]",
             [](Subject& s) {

@@ -64,6 +64,32 @@ struct Flat {
 
 // ---- Numbers by hand ----
 
+// The square is sent as (0, 0), (1, 0), (1, 1), (0, 1). Its triangles are 0 1 3 and 1 2 3, and without
+// glTexCoord of vertex 3 the upper one has (1, 0), (1, 1) and again (1, 1).
+TEST(Probe, TellsWhoseCoordinatesAVertexWithoutGlTexCoordHas) {
+    Flat flat;
+    flat.scene.models[0].noTexCoord[0] = {3};
+    const FragmentExplanation fragment = flat.fragment(3, 3);
+    ASSERT_EQ(fragment.vertices.size(), 3U);
+    EXPECT_EQ(fragment.shape, Shape::Quad);
+    EXPECT_EQ(fragment.vertices[0].vertex, 1U);
+    EXPECT_EQ(fragment.vertices[1].vertex, 2U);
+    EXPECT_EQ(fragment.vertices[2].vertex, 3U);
+    const std::vector<CoordinateSteps>& coords = fragment.units.at(0).vertices;
+    EXPECT_EQ(coords[1].of, 2U);
+    EXPECT_EQ(coords[2].of, 2U);
+    EXPECT_EQ(coords[2].given, glm::vec4(1, 1, 0, 1));
+    // Pixel (3, 3) is 1/8 below the top: t is 7/8 of it, and s is 1 everywhere.
+    EXPECT_TRUE(isNear(fragment.units[0].pixel.given, {1, 0.875F, 0, 1}));
+
+    flat.scene.models[0].noTexCoord[0] = {0, 1, 2, 3};
+    const UnitExplanation unit = flat.unit(0, 0);
+    EXPECT_EQ(unit.vertices[0].of, std::nullopt);
+    EXPECT_EQ(unit.pixel.given, glm::vec4(0, 0, 0, 1));
+    // Between four texels, of which GL_REPEAT finds three at the other rims: (0 + 0.2 + 0.4 + 1) / 4.
+    EXPECT_NEAR(unit.sample.color.r, 0.4F, 1e-6F);
+}
+
 // The centre of pixel (0, 0) of 4 x 4 is at s = t = 1/8, u = v = 1/4 of 2 texels: a quarter of a texel below
 // the centre of texel 0, which leaves it three quarters of the weight and gives one to its neighbour, that
 // GL_REPEAT finds at the other rim.

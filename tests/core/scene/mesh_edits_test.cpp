@@ -190,6 +190,28 @@ TEST(MeshEdits, ARemovedVertexTakesItsPartsAlong) {
     EXPECT_THAT(last.mesh.indices, IsEmpty());
 }
 
+TEST(MeshEdits, VerticesWithoutGlTexCoordKeepTheirNumbers) {
+    Model model = numbered(5, Primitive::Points);
+    model.noTexCoord[0] = {1, 3};
+    model.noTexCoord[3] = {4, 2, 5}; // 5 is none
+    removeVertex(model, 2);
+    EXPECT_THAT(model.noTexCoord[0], ElementsAre(1, 2));
+    EXPECT_THAT(model.noTexCoord[3], ElementsAre(3));
+    removeVertex(model, 1);
+    EXPECT_THAT(model.noTexCoord[0], ElementsAre(1));
+    EXPECT_TRUE(duplicateVertex(model, 1)); // the duplicate has none either
+    EXPECT_THAT(model.noTexCoord[0], ElementsAre(1, 2));
+    EXPECT_THAT(model.noTexCoord[3], ElementsAre(3));
+    EXPECT_TRUE(duplicateVertex(model, 0));
+    EXPECT_THAT(model.noTexCoord[0], ElementsAre(2, 3));
+    EXPECT_TRUE(appendVertex(model, 2));
+    EXPECT_THAT(model.noTexCoord[0], ElementsAre(2, 3, 5));
+    Model none{.shape = Shape::Mesh};
+    none.noTexCoord[0] = {0}; // of the cube that it was
+    EXPECT_TRUE(appendVertex(none, 0));
+    EXPECT_THAT(none.noTexCoord[0], IsEmpty());
+}
+
 TEST(MeshEdits, ListsThatDoNotFitAreDroppedRatherThanMadeToFit) {
     Model model = numbered(3, Primitive::Triangles);
     model.mesh.normals.resize(2);

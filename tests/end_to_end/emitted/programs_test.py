@@ -119,6 +119,42 @@ class Programs:
                     verdict, = Proof(TEXSHOT, flavour, self.capture, Path(KEEP) / "levels").of_all([case])
                     self.assertEqual((verdict.wrong, verdict.refused), ("", ""))
 
+    def test_leaves_out_tex_coords(self):
+        """In glBegin and glEnd the call is missing; arrays have the coordinates that stay."""
+        quad = {"primitive": "GL_QUADS", "positions": [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], "texCoords": [[0, 0], [1, 0], [1, 1], [0, 1]]}
+        fan = {"positions": [[0, 0, 0], [1, 0, 0], [0.7, 0.7, 0], [0, 1, 0]], "texCoords": [[0.1, 0.2], [1, 0], [0.9, 1], [0, 0.8]]}
+        embossed = {"enabled": True, "depth": 0.1}
+        # The model, more of the pass's units, and the glTexCoord or glMultiTexCoord calls of the fixed program; None: arrays.
+        models = {
+            "cube": ({"shape": "cube", "rotation": [20, 30, 0], "noTexCoord0": [2, 3, 4, 9]}, [], 20),
+            "quad": ({"shape": "mesh", "mesh": quad, "noTexCoord0": [2]}, [], 3),
+            "from-the-first-on": ({"shape": "mesh", "mesh": quad, "noTexCoord0": [0, 1]}, [], 3),  # one before glBegin
+            "none-at-all": ({"shape": "quad", "noTexCoord0": [3, 2, 1, 0]}, [], 1),
+            "two-units": ({"shape": "quad", "noTexCoord0": [1], "noTexCoord1": [0, 3]}, [{"enabled": True, "envMode": "GL_ADD"}], 6),
+            "shared": ({"shape": "mesh", "mesh": {**fan, "indices": [0, 1, 2, 3, 2, 0]}, "noTexCoord0": [2]}, [], 4),
+            "strip": ({"shape": "mesh", "mesh": {**fan, "primitive": "GL_TRIANGLE_STRIP"}, "noTexCoord0": [1, 3]}, [], 2),
+            "small-sphere": ({"shape": "sphere", "slices": 4, "stacks": 2, "noTexCoord0": [2, 7]}, [], 20),
+            "sphere": ({"shape": "sphere", "noTexCoord0": [100, 101, 200, 300]}, [], None),
+            "embossed": ({"shape": "cube", "rotation": [20, 30, 0], "noTexCoord0": [2, 5]}, embossed, None),
+            "generated": ({"shape": "quad", "noTexCoord0": [2]}, {"enabled": True, "mode": "GL_OBJECT_LINEAR"}, 3),
+        }
+        with tempfile.TemporaryDirectory() as folder:
+            cases = []
+            for name, (model, more, _) in models.items():
+                unit = {"enabled": True, "texture": 0, **({"emboss": more} if name == "embossed" else {"texGenS": more} if name == "generated" else {})}
+                scene = Path(folder) / f"{name}.json"
+                scene.write_text(json.dumps({"version": 1, "view": {"distance": 4}, "models": [model], "textures": [{"pattern": "brick"}],
+                                             "passes": [{"depthTest": True, "units": [unit, *(more if isinstance(more, list) else [])]}]}))
+                cases.append(Case(name, (str(scene),), scene))
+            verdicts = Proof(TEXSHOT, self.FLAVOUR, self.capture, Path(KEEP) / "left-out").of_all(cases)
+            for case, verdict, (_, _, calls) in zip(cases, verdicts, models.values()):
+                with self.subTest(case.name):
+                    self.assertEqual((verdict.wrong, verdict.refused), ("", ""))
+                    program = said(TEXSHOT, "emit", *case.words, "--as", self.FLAVOUR.name)
+                    drawn = self.FLAVOUR is FIXED and calls is not None
+                    self.assertEqual(len(re.findall(r"gl(?:Multi)?TexCoord\df\(", program)), calls if drawn else 0)
+                    self.assertEqual("a vertex without glTexCoord has the coordinates of the one before it" in program, not drawn)
+
     def test_another_scene_differs(self):
         class OfAnotherScene(Proof):
             def emit(self, case, file):

@@ -54,6 +54,26 @@ TEST_F(VerticesTab, ACubeBecomesAMeshWhoseCornersCanBeMoved) {
     EXPECT_FALSE(session->document.history.canUndo());
 }
 
+TEST_F(VerticesTab, GlTexCoordOfAVertexIsLeftOutAndSentAgain) {
+    session->settings.workspace.maximised = Maximised::Right;
+    frames(3);
+    click("glTexCoord:2");
+    EXPECT_EQ(scene().models[0].noTexCoord[0], std::vector<int>{2});
+    EXPECT_EQ(scene().models[0].noTexCoord[1], std::vector<int>{});
+    EXPECT_EQ(session->look.selection.vertex, std::optional<std::size_t>(2));
+    click("glTexCoord:1");
+    EXPECT_EQ(scene().models[0].noTexCoord[0], (std::vector<int>{1, 2}));
+    drag(place("models[0].texCoords0[2][0]"), {40, 0}); // its coordinates are kept
+    EXPECT_EQ(scene().models[0].texCoords[0].size(), 24U);
+    click("glTexCoord:1");
+    EXPECT_EQ(scene().models[0].noTexCoord[0], std::vector<int>{2});
+    key('Z', {ctrl});
+    EXPECT_EQ(scene().models[0].noTexCoord[0], (std::vector<int>{1, 2}));
+    click("make mesh");
+    click("show Position");
+    EXPECT_FALSE(has("glTexCoord:1"));
+}
+
 TEST_F(VerticesTab, AModelsNameIsShownWholeWhereThereIsRoom) {
     scene().models[0].name = "A quad with t upwards";
     session->settings.workspace.maximised = Maximised::Right;

@@ -9,6 +9,7 @@
 #include "texplorer/codec/png/png.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/image/patterns/pattern.h"
+#include "texplorer/scene/mesh_edits.h"
 
 #include <glm/glm.hpp>
 
@@ -177,6 +178,27 @@ TEST_F(PlaneInput, SaysWhyWhatIsGeneratedCannotBeMoved) {
     release();
     EXPECT_EQ(noted("refusal:"), "");
     EXPECT_EQ(scene(), before);
+}
+
+TEST_F(PlaneInput, AVertexWithoutGlTexCoordEndsWhereTheOneBeforeItDoes) {
+    scene().models[0].noTexCoord[0] = {0, 2};
+    session->look.selection.vertex = 2;
+    frames(2);
+    expectPlace("coord:2", 1, 1);
+    expectPlace("end:2", 1, 0);
+    expectPlace("end:0", 0, 0);
+    const Scene before = scene();
+    hold(place("end:2"), {40, 0});
+    EXPECT_EQ(noted("refusal:"), "refusal:glTexCoord of vertex 2 is left out: its coordinate has no effect");
+    release();
+    EXPECT_EQ(scene(), before);
+    // Vertex 2 is drawn twice, the second time after 3.
+    ASSERT_TRUE(turnIntoMesh(scene().models[0]));
+    scene().models[0].mesh.primitive = Primitive::Triangles;
+    scene().models[0].mesh.indices = {0, 1, 2, 0, 3, 2};
+    frames(2);
+    EXPECT_EQ(state().coords.outlinePlaces().back(), glm::vec2(0, 1));
+    expectPlace("end:2", 1, 0);
 }
 
 TEST_F(PlaneInput, SaysWhereTheMatrixHasNoInverse) {

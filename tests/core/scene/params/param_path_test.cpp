@@ -84,6 +84,12 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{
             "TexCoordInfinite", "models[0].texCoords0[5]", "inf,0",
             R"(models[0].texCoords0[5]: expected 2 to 4 finite numbers separated by commas, found "inf,0")"},
+        Refusal{"LeftOutOfNoVertex", "models[0].noTexCoord0", "2,24",
+                "models[0].noTexCoord0: there is no vertex 24, the cube has 24 vertices"},
+        Refusal{"LeftOutTwice", "models[0].noTexCoord3", "2,3,2",
+                "models[0].noTexCoord3: expected each vertex once, found 2 twice"},
+        Refusal{"LeftOutIndex", "models[0].noTexCoord0[0]", "1",
+                "models[0].noTexCoord0[0]: it is set as a whole: expected no index"},
         Refusal{"TexCoordCount", "models[0].texCoords0", "0,0;1,0",
                 "models[0].texCoords0: expected 24 coordinates, one for each vertex of the cube, or none; "
                 "found 2"}),
