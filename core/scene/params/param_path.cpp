@@ -406,20 +406,16 @@ Result<void> checkMovable(const Scene& scene, std::string_view path, std::string
     };
     if (place->table == &keyFrameTable())
         return refuse(timelineMoved());
+    if (place->row->kind == Kind::IndexList) { // numbers of others, which must exist
+        Scene edited = scene;
+        return setParam(edited, path, text);
+    }
     if (place->vertex && place->row->member == memberId<&Model::texCoords>) {
         const auto coord = parseTexCoord(text);
         return coord ? Result<void>() : refuse(coord.error());
     }
     const auto value = place->vertex ? parseElement(*place->row, text) : parseValue(*place->row, text);
-    if (!value)
-        return refuse(value.error());
-    if (place->row->member == memberId<&Pass::models>) {
-        Pass pass;
-        place->row->write(&pass, *value);
-        if (auto named = checkPassModels(scene, pass); !named)
-            return refuse(named.error());
-    }
-    return {};
+    return value ? Result<void>() : refuse(value.error());
 }
 
 } // namespace texplorer

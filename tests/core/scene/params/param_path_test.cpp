@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace texplorer::param_path_test {
 namespace {
 
@@ -94,6 +96,25 @@ INSTANTIATE_TEST_SUITE_P(
                 "models[0].texCoords0: expected 24 coordinates, one for each vertex of the cube, or none; "
                 "found 2"}),
     [](const auto& test) { return std::string(test.param.name); });
+
+TEST(ParamPath, AKeyFrameAcceptsTheNumbersThatSettingDoes) {
+    Scene scene = defaultScene();
+    scene.models[0].shape = Shape::Mesh;
+    scene.models[0].mesh = {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .indices = {0, 1, 2}};
+    for (const auto& [path, fine, wrong] :
+         {std::tuple("models[0].mesh.indices", "2,1,0", "0,1,3"),
+          std::tuple("models[0].mesh.indices[1]", "2", "3"), std::tuple("models[0].noTexCoord0", "2,0", "3"),
+          std::tuple("models[1].noTexCoord3", "560", "4,4"), std::tuple("passes[0].models", "1,0", "2")}) {
+        Scene edited = scene;
+        EXPECT_TRUE(checkMovable(scene, path, fine)) << path;
+        EXPECT_TRUE(setParam(edited, path, fine)) << path;
+        const Result<void> moved = checkMovable(scene, path, wrong);
+        const Result<void> set = setParam(edited, path, wrong);
+        ASSERT_FALSE(moved) << path;
+        ASSERT_FALSE(set) << path;
+        EXPECT_EQ(describe(moved.error()), describe(set.error()));
+    }
+}
 
 TEST(ParamPath, SetsOneParameter) {
     Scene scene = defaultScene();
