@@ -91,7 +91,8 @@ std::vector<std::string_view> partsOf(std::string_view text, char separator) {
 
 /// As they are written, with the numbers of ranges.
 Result<std::vector<std::string>> listed(const ParamRow& row, std::string_view text) {
-    const bool hasComponents = row.kind == Kind::Vec3 || row.kind == Kind::Vec4 || row.kind == Kind::Color;
+    const bool hasComponents = row.kind == Kind::Vec3 || row.kind == Kind::Vec4 || row.kind == Kind::Color ||
+                               elementNumbers(row.kind);
     std::vector<std::string> values;
     for (const std::string_view part : partsOf(text, hasComponents ? ';' : ',')) {
         if (!isNumber(row.kind) || part.find(rangeSign) == std::string_view::npos) {
@@ -117,6 +118,9 @@ Result<std::vector<std::string>> checked(const ParamRow& row, const std::vector<
         const Result<Value> value = parseValue(row, text);
         if (!value)
             return fail(value.error());
+        if (isList(row.kind) && listSize(*value) != 1) // the value of an element
+            return fail(ErrorCode::OutOfRange,
+                        Sentence("expected {0}, found {1}", describeAccepted(row), inQuotes(text)));
         std::string written = formatValue(row, *value);
         if (std::ranges::find(values, written) == values.end())
             values.push_back(std::move(written));
@@ -190,7 +194,12 @@ Result<SweepAxis> axisOf(const Scene& scene, std::string_view path, std::string_
         return fail(error.code, error.message, std::string(path));
     };
     const ParamRow& row = *at->row;
-    if (!canSweep(row))
+    const bool isElement = isList(row.kind) && path.ends_with(']');
+    if (isList(row.kind) && !isElement && hasElements(row))
+        return refuse({ErrorCode::Unsupported,
+                       Sentence("expected one element of the list, as in {0}[0]", ProperName{path}),
+                       {}});
+    if (!isElement && !canSweep(row))
         return refuse(
             {ErrorCode::Unsupported, N_("expected a choice, a number, a colour or true or false"), {}});
     const std::string_view wanted = trimmed(values);

@@ -35,6 +35,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"WholeNumbers", "textures[0].baseLevel=0..2/5", {"0", "1", "2"}}, // 0, 0.5, 1, 1.5, 2
         Case{"TrueAndFalse", "passes[0].lighting=*", {"false", "true"}},
         Case{"DoublingNumbers", "textures[0].maxAnisotropy=*", {"1", "2", "4", "8", "16"}},
+        Case{
+            "CoordinatesOfAVertex", "models[0].texCoords0[2]=0,0;1,0.5;0,0,0,2", {"0,0", "1,0.5", "0,0,0,2"}},
         Case{"Colours", "material.color=1,0,0,1;0,1,0,1", {"1,0,0,1", "0,1,0,1"}}),
     [](const auto& tested) { return tested.param.name; });
 
@@ -91,10 +93,32 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"TooMany", "textures[0].lodBias=-1..0/256,0..1/256",
                 "textures[0].lodBias: expected at most 256 values, found 511"},
         Refusal{"AList", "models[0].texCoords0=0,0",
-                "models[0].texCoords0: expected a choice, a number, a colour or true or false"},
+                "models[0].texCoords0: expected one element of the list, as in models[0].texCoords0[0]"},
+        Refusal{"AListOfNumbers", "models[0].noTexCoord0=1",
+                "models[0].noTexCoord0: expected a choice, a number, a colour or true or false"},
+        Refusal{"TwoNumbersForThree", "models[0].mesh.positions[0]=1,2",
+                R"(models[0].mesh.positions[0]: expected 3 finite numbers for each vertex, found "1,2")"},
+        Refusal{"NoElement", "models[0].texCoords0[1]=0,0;",
+                R"(models[0].texCoords0[1]: expected 2 to 4 finite numbers for each vertex, found "")"},
         Refusal{"NothingSuggested", "material.color=*",
                 "material.color: expected values: there are no default values here"}),
     [](const auto& tested) { return tested.param.name; });
+
+TEST(SweepAxis, AnElementOfAListOfAMeshIsOne) {
+    Scene scene = defaultScene();
+    scene.models[0].shape = Shape::Mesh;
+    scene.models[0].mesh = {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .indices = {0, 1, 2}};
+    const auto valuesOf = [&](const char* text) {
+        const Result<SweepAxis> axis = parseSweepAxis(scene, text);
+        return axis ? axis->values : std::vector<std::string>{describe(axis.error())};
+    };
+    EXPECT_THAT(valuesOf("models[0].mesh.positions[2]=0,1,0; 0,2,0"), ElementsAre("0,1,0", "0,2,0"));
+    EXPECT_THAT(valuesOf("models[0].mesh.indices[1]=1,2"), ElementsAre("1", "2"));
+    EXPECT_THAT(
+        valuesOf("models[0].mesh.positions[3]=0,1,0"),
+        ElementsAre("models[0].mesh.positions[3]: expected an existing index, counted from 0; the list "
+                    "has 3"));
+}
 
 // Where one types into a field, what is there twice for a moment is no mistake.
 TEST(SweepAxis, OfAFieldLeavesOutWhatIsThereTwice) {
