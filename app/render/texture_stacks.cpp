@@ -72,13 +72,13 @@ void TextureStacks::pop(std::vector<Pushed>& pushed) {
 }
 
 void TextureStacks::beginFrame() {
+    endModel(); // a frame that was not finished may have left them
+    endPass();
     for (std::size_t u = 0; u < units_; ++u) {
         select(u);
         glLoadIdentity();
     }
     starts_ = {};
-    byPass_.clear();
-    byModel_.clear();
     glMatrixMode(GL_MODELVIEW);
 }
 

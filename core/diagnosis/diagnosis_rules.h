@@ -92,7 +92,7 @@ struct Rule {
 [[nodiscard]] std::span<const Rule> textureEffectRules(); ///< texture settings without effect
 [[nodiscard]] std::span<const Rule> unitRules();
 [[nodiscard]] std::span<const Rule> matrixRules(); ///< of textures, and their stacks
-[[nodiscard]] std::span<const Rule> cubeRules(); ///< the edges of cube faces
+[[nodiscard]] std::span<const Rule> cubeRules();   ///< the edges of cube faces
 [[nodiscard]] std::span<const Rule> combineRules();
 [[nodiscard]] std::span<const Rule> passRules();
 [[nodiscard]] std::span<const Rule> modelRules();

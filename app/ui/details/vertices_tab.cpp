@@ -1,14 +1,11 @@
 #include "app/ui/details/vertices_tab.h"
 
 #include "app/ui/language/translate.h"
-#include "app/ui/model/notice.h"
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/param_widgets.h"
-#include "app/ui/widgets/same_line.h"
 #include "app/ui/widgets/theme.h"
-#include "texplorer/scene/mesh_edits.h"
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/keys.h"
 #include "texplorer/scene/sent_vertices.h"
@@ -26,144 +23,6 @@ namespace {
 
 /// Longer lists draw only their visible rows.
 constexpr std::size_t longList = 100;
-
-/// Buttons in a row that continue in the next line at the panel's edge.
-class ButtonLine {
-public:
-    bool button(const char* words, std::string_view name, const char* help, bool enabled = true) {
-        place(buttonWidth(words));
-        return ui::button(words, name, help, enabled);
-    }
-
-    /// A button of a choice.
-    bool choice(const char* words, std::string_view name, const char* help, bool chosen) {
-        place(buttonWidth(words));
-        const bool pressed = markedButton(label(words), chosen);
-        item(name, help);
-        return pressed;
-    }
-
-    void checkbox(const char* words, std::string_view name, const char* help, bool& value) {
-        place(ImGui::CalcTextSize(tr(words)).x + ImGui::GetFrameHeight() +
-              ImGui::GetStyle().ItemInnerSpacing.x);
-        ImGui::Checkbox(label(words), &value);
-        item(name, help);
-    }
-
-private:
-    void place(float width) {
-        if (!first_)
-            sameLineFor(width, ImGui::GetStyle().ItemInnerSpacing.x);
-        first_ = false;
-    }
-
-    bool first_ = true;
-};
-
-void coordButtons(const Session& session, ButtonLine& line) {
-    const auto button = [&](const char* words, const char* help, const char* what, auto&& edit) {
-        if (!line.button(words, std::string("coords:") + words, help))
-            return;
-        TexCoords coords =
-            effectiveTexCoords(*selectedModel(session), selectedMesh(session), session.look.selection.unit);
-        edit(coords);
-        submitTexCoords(session, what, std::move(coords));
-    };
-    button("× 2", N_("Multiplies all coordinates by 2: the image appears twice as often at half the size"),
-           "Coordinates × 2", [](TexCoords& c) { scaleCoords(c, 2); });
-    button("÷ 2", N_("Divides all coordinates by 2"), "Coordinates ÷ 2",
-           [](TexCoords& c) { scaleCoords(c, 0.5F); });
-    button("Flip s", N_("s becomes 1 − s"), "Flip s", flipS);
-    button("Flip t", N_("t becomes 1 − t"), "Flip t", flipT);
-    button("90°", N_("Rotates all coordinates by 90° about (0.5, 0.5)"), "Rotate coordinates", rotateQuarter);
-    button("Reset", N_("Resets to the coordinates of the mesh"), "Reset coordinates",
-           [](TexCoords& c) { c.clear(); });
-}
-
-/// Shows the positions of its vertices, which are edited most.
-void makeMesh(const Session& session, VerticesTabState& state) {
-    const Selection& selection = session.look.selection;
-    Result<void> made;
-    submit(
-        session, "Make it a mesh",
-        [&](Scene& scene) { made = turnIntoMesh(selectedModel(scene, selection)); },
-        fmt::format("{}.{}", elementOf<&Scene::models>(static_cast<std::size_t>(selection.model)),
-                    keyOf<&Model::shape>()));
-    if (!made)
-        return act(session, [error = made.error()](Session& s) { say(s, error); });
-    state.part = VertexPart::Position;
-}
-
-/// Adds and removes vertices, in all lists and in the order.
-void vertexButtons(const Session& session, ButtonLine& line) {
-    const Model& model = *selectedModel(session);
-    const std::optional<std::size_t> chosen = session.look.selection.vertex;
-    const std::size_t count = model.mesh.positions.size();
-    const bool isChosen = chosen && *chosen < count;
-    const auto change = [&](const char* what, std::optional<std::size_t> next, auto&& edit) {
-        const Selection& selection = session.look.selection;
-        auto step = stepThat(
-            session, what, [&](Scene& scene) { edit(selectedModel(scene, selection)); },
-            meshPath(session, keyOf<&MeshData::positions>()));
-        step.select = selection;
-        step.select->vertex = next;
-        submit(session, std::move(step));
-    };
-    const bool room = count < maxMeshVertices && model.mesh.indices.size() < maxMeshIndices;
-    if (line.button("Append", N_("add vertex"),
-                    "Adds a copy of the selected vertex, or the last one, at the end", room))
-        change(N_("Add vertex"), count,
-               [&](Model& edited) { appendVertex(edited, isChosen ? *chosen : count - 1); });
-    if (line.button("Duplicate", N_("duplicate vertex"),
-                    "Adds a copy of the selected vertex right after it, a new point of a strip or polygon",
-                    room && isChosen))
-        change(N_("Duplicate vertex"), *chosen + 1, [&](Model& edited) { duplicateVertex(edited, *chosen); });
-    if (line.button("Remove", N_("remove vertex"),
-                    "Removes the selected vertex. With indices, also removes its triangles", isChosen))
-        change(N_("Remove vertex"), count == 1 ? std::nullopt : std::optional(std::min(*chosen, count - 2)),
-               [&](Model& edited) { removeVertex(edited, *chosen); });
-}
-
-/// Removes an optional list of vertex values.
-template<auto List>
-void clearButton(const Session& session, ButtonLine& line, const VertexPartRow& part, const char* help) {
-    const bool isEmpty = (selectedModel(session)->mesh.*List).empty();
-    if (line.button("Clear", std::string("clear ") + part.label, help, !isEmpty))
-        submit(
-            session, Sentence("Clear {0}", part.label),
-            [&](Scene& scene) { (selectedModel(scene, session.look.selection).mesh.*List).clear(); },
-            part.path(session));
-}
-
-void partButtons(const Session& session, VerticesTabState& state) {
-    ButtonLine line;
-    if (selectedModel(session)->shape != Shape::Mesh) {
-        coordButtons(session, line);
-        if (line.button("Make it a mesh", N_("make mesh"),
-                        "Converts the model to a mesh with the same vertices, which can be edited"))
-            makeMesh(session, state);
-        return;
-    }
-    for (const VertexPart part :
-         {VertexPart::Coordinates, VertexPart::Position, VertexPart::Normal, VertexPart::Color}) {
-        const VertexPartRow& row = rowOf(part);
-        if (line.choice(row.label, std::string("show ") + row.label, row.help, state.part == part))
-            state.part = part;
-    }
-    line = {};
-    if (state.part == VertexPart::Coordinates)
-        return coordButtons(session, line);
-    vertexButtons(session, line);
-    if (state.part == VertexPart::Position)
-        line.checkbox(N_("Together"), N_("move together"), N_("Moves vertices at the same place together"),
-                      state.together);
-    else if (state.part == VertexPart::Normal)
-        clearButton<&MeshData::normals>(session, line, rowOf(state.part),
-                                        N_("Removes all normals: the surface faces +z"));
-    else
-        clearButton<&MeshData::colors>(session, line, rowOf(state.part),
-                                       N_("Removes all colours: the material's colour is used"));
-}
 
 /// The edited list while it is drawn.
 struct List {
@@ -202,9 +61,16 @@ void nameField(const char* letter, int component) {
     noteDrawn(fmt::format("field letter:{}", letter), {left, low.y}, {left + em, high.y});
 }
 
-/// The width of the column with the calls.
-float callWidth() {
-    return ImGui::CalcTextSize("glTexCoord").x;
+/// The width of the column with the calls: in a narrow list that of a checkbox.
+float callWidth(const List& list) {
+    const float em = ImGui::GetFontSize();
+    const float width = ImGui::CalcTextSize("glTexCoord").x;
+    const float room = ImGui::GetWindowWidth() - width - 5 * em;
+    return room / static_cast<float>(list.components) < 5 * em ? ImGui::GetFrameHeight() : width;
+}
+
+bool isNarrow(const List& list) {
+    return callWidth(list) <= ImGui::GetFrameHeight();
 }
 
 /// A checkbox, and if the call is left out, whose coordinates the vertex has.
@@ -217,9 +83,9 @@ void callCell(const Session& session, const List& list, std::size_t vertex) {
         submitLeftOut(session, vertex, !sends);
     }
     item(fmt::format("glTexCoord:{}", vertex),
-         "Off: the vertex is sent without glTexCoord. It has the coordinates of the vertex sent before it, "
-         "whose number is shown; the first ones have 0, 0.");
-    if (source == vertex)
+         "Off: the vertex is sent without glTexCoord. It has the coordinates of the vertex sent before it; "
+         "the first ones have 0, 0.");
+    if (source == vertex || isNarrow(list))
         return;
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     plainText(source ? "= " + std::to_string(*source) : "= 0, 0", color::dim);
@@ -287,7 +153,7 @@ void faceTable(const Session& session, const List& list, const std::vector<std::
     for (int i = 0; i < list.components; ++i)
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
     if (hasCalls)
-        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, callWidth());
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, callWidth(list));
     const auto rows = [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i)
             if (vertices[i] < list.coords.size())
@@ -311,14 +177,14 @@ void faceTable(const Session& session, const List& list, const std::vector<std::
 /// The names of the columns in their colours.
 void header(const List& list) {
     const float indent = ImGui::GetFontSize() * 2.2F + ImGui::GetStyle().CellPadding.x * 2;
-    const float calls = list.sources.empty() ? 0 : callWidth() + ImGui::GetStyle().CellPadding.x * 2;
+    const float calls = list.sources.empty() ? 0 : callWidth(list) + ImGui::GetStyle().CellPadding.x * 2;
     const float room = ImGui::GetContentRegionAvail().x - indent - calls;
     const float width = room / static_cast<float>(list.components);
     for (int i = 0; i < list.components; ++i) {
         ImGui::SameLine(indent + width * (static_cast<float>(i) + 0.5F));
         plainText(list.part.names.at(static_cast<std::size_t>(i)), componentColor(i));
     }
-    if (list.sources.empty())
+    if (list.sources.empty() || isNarrow(list))
         return;
     ImGui::SameLine(indent + room + ImGui::GetStyle().CellPadding.x);
     plainText("glTexCoord", color::dim);
@@ -377,7 +243,7 @@ void drawVerticesTab(const Session& session, VerticesTabState& state) {
     if (ImGui::Checkbox("r, q", &showRq))
         act(session, [showRq](Session& changed) { changed.window.showRq = showRq; });
     item("show r, q", "Shows the third and fourth coordinate: r for volumes, q for projected textures");
-    partButtons(session, state);
+    drawVertexButtons(session, state);
     const bool own = selectedModel(session)->shape == Shape::Mesh;
     const VertexPartRow& part = rowOf(own ? state.part : VertexPart::Coordinates);
     const std::string path = part.path(session);

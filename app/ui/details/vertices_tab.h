@@ -40,6 +40,9 @@ struct VerticesTabState {
     bool together = true; ///< vertices at one place move together
 };
 
+/// What changes the selected model, or all of its coordinates.
+void drawVertexButtons(const Session& session, VerticesTabState& state);
+
 void drawVerticesTab(const Session& session, VerticesTabState& state);
 
 } // namespace texplorer::ui

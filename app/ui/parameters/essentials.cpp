@@ -6,6 +6,7 @@
 #include "app/ui/widgets/param_names.h"
 #include "texplorer/base/translatable.h"
 #include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/sent_vertices.h"
 #include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
@@ -37,6 +38,9 @@ void vertexNumbers(const Session& session, float width) {
     glm::vec4 value = effectiveTexCoord(*selectedModel(session), mesh, selection.unit, vertex);
     constexpr std::array names{N_("vertex s"), N_("vertex t")};
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const bool isLeftOut = coordSources(*selectedModel(session), mesh, selection.unit)[vertex] != vertex;
+    if (isLeftOut)
+        ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * 0.5F);
     for (int i = 0; i < 2; ++i) {
         ImGui::PushID(i);
         plainText(i == 0 ? "s" : "t", componentColor(i));
@@ -52,14 +56,20 @@ void vertexNumbers(const Session& session, float width) {
         }
         noteItem(names.at(static_cast<std::size_t>(i)));
         sealAfterItem(session);
-        helpTip(i == 0 ? "The vertex's s: 0 is the left edge of the image, 1 the right edge. Drag it, or "
-                         "double-click to type a number."
-                       : N_("The vertex's t: 0 is the lower edge of the image, 1 the upper edge. Drag it, or "
-                            "double-click to type a number."));
+        if (isLeftOut)
+            helpTip(Sentence("glTexCoord of vertex {0} is left out: its coordinate has no effect", vertex));
+        else
+            helpTip(i == 0
+                        ? "The vertex's s: 0 is the left edge of the image, 1 the right edge. Drag it, or "
+                          "double-click to type a number."
+                        : N_("The vertex's t: 0 is the lower edge of the image, 1 the upper edge. Drag it, "
+                             "or double-click to type a number."));
         ImGui::PopID();
         if (i == 0)
             ImGui::SameLine(0, gap);
     }
+    if (isLeftOut)
+        ImGui::PopStyleVar();
 }
 
 void vertexLine(const Session& session) {
@@ -172,11 +182,11 @@ void environmentBlock(const Session& session) {
 }
 
 void matrixBlock(const Session& session) {
-    const std::vector<MatrixStep>& steps = selectedUnit(session).matrix;
+    const std::size_t steps = matrixStepCount(session);
     labelText(N_("Texture matrix"));
     ImGui::SameLine();
-    dimText(steps.empty() ? N_("identity") : Sentence::plural("{0} step", "{0} steps", steps.size()));
-    if (!steps.empty()) {
+    dimText(steps == 0 ? N_("identity") : Sentence::plural("{0} step", "{0} steps", steps));
+    if (steps > 0) {
         ImGui::SameLine();
         if (ImGui::SmallButton(label("Edit")))
             session.out.wantedSection = Section::Matrix;

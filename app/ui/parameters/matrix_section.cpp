@@ -7,6 +7,7 @@
 #include "app/ui/widgets/segments.h"
 #include "texplorer/preset/preset.h"
 #include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/texture_matrix.h"
 
 #include <fmt/core.h>
 
@@ -137,7 +138,21 @@ void modelSteps(const Session& session, const std::vector<ShownStruct>& places) 
     ImGui::PopID();
 }
 
+/// That the pass goes on from.
+std::size_t leftStepCount(const Session& session) {
+    const Selection& selection = session.look.selection;
+    return inheritedSteps(presentScene(session), static_cast<std::size_t>(selection.pass),
+                          static_cast<std::size_t>(selection.unit))
+        .size();
+}
+
 } // namespace
+
+std::size_t matrixStepCount(const Session& session) {
+    const Model* model = selectedModel(session);
+    return leftStepCount(session) + stepsOfPass(session).count +
+           (model ? stepsOfModel(session, *model).count : 0);
+}
 
 void motionButtons(const Session& session) {
     std::vector<Segment> buttons = segmentsOf(motions, &Motion::label);
@@ -167,7 +182,9 @@ void matrixSection(const Session& session) {
     const std::vector<ShownStruct> places = shownStructs(session, Section::Matrix);
     const StepList steps = stepsOfPass(session);
     paramWidget(session, unitOwner(session), *findParam(unitTable(), keyOf<&Unit::matrixStart>()));
-    if (places.empty())
+    if (const std::size_t left = leftStepCount(session); left > 0)
+        dimText(Sentence("Earlier passes left {0}", Sentence::plural("{0} step", "{0} steps", left)));
+    else if (places.empty())
         wrappedText("The identity: coordinates are unchanged. Each step moves, turns or scales them.");
     stepRows(session, steps, places);
     addStepButtons(session, steps, 3);

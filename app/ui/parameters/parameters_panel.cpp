@@ -99,9 +99,7 @@ std::vector<Mark> generatedMarks(const Unit& unit) {
 }
 
 std::vector<Mark> matrixMarks(const Session& session) {
-    std::size_t steps = selectedUnit(session).matrix.size();
-    if (const Model* model = selectedModel(session))
-        steps += model->units[static_cast<std::size_t>(session.look.selection.unit)].matrix.size();
+    const std::size_t steps = matrixStepCount(session);
     if (steps == 0)
         return {};
     return {{Sentence::plural("{0} step", "{0} steps", steps), color::changed}};

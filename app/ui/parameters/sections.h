@@ -38,6 +38,9 @@ void coordinatesSection(const Session& session); ///< generated ones, of the sel
 /// The steps of the selected unit's texture matrix.
 void matrixSection(const Session& session);
 
+/// How many steps it has with the selected model: those that earlier passes left, the pass's, the model's.
+[[nodiscard]] std::size_t matrixStepCount(const Session& session);
+
 /// The presets that move the texture, one click each, and a button that adds a step.
 void motionButtons(const Session& session);
 

@@ -13,6 +13,7 @@
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "texplorer/scene/picking.h"
+#include "texplorer/scene/sent_vertices.h"
 #include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
@@ -155,7 +156,9 @@ void drawMarker(const Session& session, const Layout& layout, const Panes& panes
     const Mesh& mesh = selectedMesh(session);
     if (vertex >= mesh.vertices.size())
         return;
-    const glm::vec4 coord = effectiveTexCoord(*model, mesh, session.look.selection.unit, vertex);
+    const int unit = session.look.selection.unit;
+    const std::optional<std::uint32_t> source = coordSources(*model, mesh, unit)[vertex];
+    const glm::vec4 coord = source ? effectiveTexCoord(*model, mesh, unit, *source) : glm::vec4(0, 0, 0, 1);
     const std::string text = fmt::format("{}   ({:.2f}, {:.2f})", vertex, coord.x, coord.y);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     // Next to the vertex, inside of the picture.

@@ -121,7 +121,9 @@ private:
             if (start == nullptr || row.read(owner) != row.read(start))
                 param(row, owner);
         for (const ChildRow& child : table.children) {
-            if (child.member == memberId<&Scene::timeline> && child.size(owner) == 0)
+            if ((child.member == memberId<&Scene::timeline> && child.size(owner) == 0) ||
+                (child.member == memberId<&Model::units> &&
+                 static_cast<Model*>(owner)->units == Model{}.units))
                 continue; // most scenes have none
             // What a file leaves out of an element of a list reads as its default; out of the scene itself,
             // as the scene that one begins with has it.

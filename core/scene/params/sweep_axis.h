@@ -32,10 +32,10 @@ inline constexpr std::size_t maxAxisValues = 256;
 /// Parses "PATH=VALUES", see sweepAxis; but a repeated value is an error. The error's `where` is the path.
 [[nodiscard]] Result<SweepAxis> parseSweepAxis(const Scene& scene, std::string_view text);
 
-/// Parses the values of a parameter of the scene: "GL_NEAREST,GL_LINEAR", "1,2,4"; vectors and colours
-/// separated by semicolons, "1,0,0,1;0,1,0,1". "0..4/5" is five numbers from 0 to 4, inclusive, rounded if
-/// the parameter is a whole number; without "/5", five. "*" is all values of a choice, or a few of a number
-/// (suggestedValues). Repeats are left out.
+/// Parses the values of a parameter of the scene, or of an element of a list: "GL_NEAREST,GL_LINEAR",
+/// "1,2,4"; vectors, colours and coordinates separated by semicolons, "1,0,0,1;0,1,0,1". "0..4/5" is five
+/// numbers from 0 to 4, inclusive, rounded if the parameter is a whole number; without "/5", five. "*" is all
+/// values of a choice, or a few of a number (suggestedValues). Repeats are left out.
 [[nodiscard]] Result<SweepAxis> sweepAxis(const Scene& scene, std::string_view path, std::string_view values);
 
 /// Useful values to start with: every choice; for a number with few steps five across its range, which double

@@ -189,13 +189,13 @@ TEST_F(ParametersPanel, ModelsHaveMatrixStepsOfTheirOwn) {
     EXPECT_EQ(unit().matrixStart, MatrixStart::Keep);
     EXPECT_FALSE(has("models[0].pushMatrix")) << "there is nothing to push it for";
     press("model's add:scale");
-    const std::vector<MatrixStep>& steps = scene().models[0].units[0].matrix;
-    ASSERT_EQ(steps.size(), 1U);
-    EXPECT_EQ(steps[0].amount, glm::vec3(1));
+    const auto steps = [this] { return scene().models[0].units[0].matrix; };
+    ASSERT_EQ(steps().size(), 1U);
+    EXPECT_EQ(steps()[0].amount, glm::vec3(1));
     press("models[0].pushMatrix");
     EXPECT_FALSE(scene().models[0].pushMatrix);
     press("models[0].units[0].matrix[0]#remove");
-    EXPECT_TRUE(steps.empty());
+    EXPECT_TRUE(steps().empty());
     EXPECT_TRUE(unit().matrix.empty());
 }
 

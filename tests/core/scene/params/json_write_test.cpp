@@ -77,7 +77,8 @@ TEST(WriteScene, ReadsLikeThis) {
       "scale": [1, 1, 1],
       "attachment": "world",
       "ownMaterial": false,
-      "texCoords1": [[0, 0], [1, 0, 0.5], [1, 1, 0, 2], [-0.0, 1]]
+      "texCoords1": [[0, 0], [1, 0, 0.5], [1, 1, 0, 2], [-0.0, 1]],
+      "pushMatrix": true
     }
   ],
   "textures": [
@@ -142,6 +143,7 @@ TEST(WriteScene, ReadsLikeThis) {
           "envMode": "GL_MODULATE",
           "envColor": [0, 0, 0, 0],
           "lodBias": 0,
+          "matrixStart": "glLoadIdentity",
           "matrix": []
         },
         {
@@ -151,6 +153,7 @@ TEST(WriteScene, ReadsLikeThis) {
           "envMode": "GL_MODULATE",
           "envColor": [0, 0, 0, 0],
           "lodBias": 0,
+          "matrixStart": "glLoadIdentity",
           "matrix": []
         }
       ]
