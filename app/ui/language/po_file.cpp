@@ -107,7 +107,7 @@ Result<std::vector<PoEntry>> readPoFile(std::string_view text, std::string_view 
             last = &entries.back().forms.emplace_back();
         } else if (!words || !word.empty() || !last) {
             return fail(ErrorCode::Malformed, "expected a line of a .po file, msgid or msgstr with its text",
-                        fmt::format("{}:{}", name, number));
+                        inFile(std::string(name)) / atLine(number));
         }
         *last += *words;
     }

@@ -75,7 +75,7 @@ TEST(LessonJson, IsRefusedByPlace) {
         {"{\"lesson\": 1}\n x", malformed, "line 2, column 2", "expected the end of the file, found 'x'"},
         {R"({"lesson": NaN})", malformed, "line 1, column 12", "expected a value, found 'NaN'"},
         {"[1]", malformed, "", "expected an object"},
-        {std::string("{}\0{}", 5), malformed, "line 1", "a NUL character"},
+        {std::string("{}\0{}", 5), malformed, "line 1, column 3", "a NUL character"},
         {"\xff", malformed, "line 1, column 1", ""},
         {R"({"lesson": 1e400})", malformed, "line 1, column 16", "a smaller number"},
         {R"({"lesson": 1, "lesson": 1})", malformed, "/lesson", R"(each key once, found "lesson" twice)"},

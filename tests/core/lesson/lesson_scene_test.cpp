@@ -310,7 +310,7 @@ TEST_F(LessonScenes, AreCheckedForFallbacksThatAreNone) {
     for (const Error& problem : problems())
         found.push_back(describe(problem));
     EXPECT_THAT(found, ElementsAre(HasSubstr("/steps/0/fallback/text"), HasSubstr("found one with 2"),
-                                   HasSubstr("/steps/1/fallback: edits/0"), HasSubstr("it is not needed")));
+                                   HasSubstr("/steps/1/fallback/edits/0"), HasSubstr("it is not needed")));
 }
 
 /// What differs lies at the sides, which a picture that is higher than wide hasn't.
@@ -352,8 +352,8 @@ TEST_F(LessonScenes, AreCheckedForEverythingThatCanBeWrong) {
     EXPECT_THAT(places, ElementsAre(HasSubstr("/steps/0/look/param"), "/steps/0/look/tab",
                                     "/steps/0/look/figure", "/steps/0/look/shown", "/steps/0/look/renderer",
                                     "/steps/1/predict/answers/1", HasSubstr("/steps/1/predict/reason"),
-                                    HasSubstr("/steps/2/predict/answers/0: edits/0"),
-                                    HasSubstr("/steps/3/match: edits/0"), "/steps/4/match",
+                                    HasSubstr("/steps/2/predict/answers/0/edits/0"),
+                                    HasSubstr("/steps/3/match/edits/0"), "/steps/4/match",
                                     "/steps/5/match: none.png"));
 }
 

@@ -139,7 +139,7 @@ struct Wrong {
 
 TEST(Plan, EditsAndAxesThatCantBeAreRefused) {
     const std::array wrongs{
-        Wrong{R"({"set": "textures[0].wrapZ=1"})", "s: /cases/0/set: edits/0: textures[0].wrapZ"},
+        Wrong{R"({"set": "textures[0].wrapZ=1"})", "s: /cases/0/set/0: textures[0].wrapZ"},
         Wrong{R"({}, {"axis": "textures[0].wrapS=GL_REPAET"})", "s: /cases/1/axis/0"},
         Wrong{R"({"axis": ["textures[0].wrapS=*", "textures[0].wrapS=GL_CLAMP"]})",
               "expected each parameter in one axis"},

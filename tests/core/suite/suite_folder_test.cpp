@@ -107,7 +107,7 @@ TEST(SuiteFolder, ASuiteThatIsBrokenIsNamed) {
     write(folder / "sub/a.suite.json", "{");
     const Result<std::vector<Suite>> suites = suitesAt(folder.path());
     ASSERT_FALSE(suites);
-    EXPECT_EQ(suites.error().where, (folder / "sub/a.suite.json").string());
+    EXPECT_EQ(suites.error().where, (folder / "sub/a.suite.json").string() + ": line 1, column 2");
 }
 
 TEST(SuiteFolder, NamesStayInside) {

@@ -124,11 +124,11 @@ TEST(Catalogue, RefusesATranslationWithOtherPlaceholders) {
 }
 
 TEST(Catalogue, SaysWhichLineIsWrong) {
-    EXPECT_EQ(refused("msgid \"a\"\nmsgstr \"b\"\nnonsense\n").where, "ru/test.po:3");
-    EXPECT_EQ(refused("msgstr \"b\"\n").where, "ru/test.po:1");
-    EXPECT_EQ(refused("\n\n\"b\"\n").where, "ru/test.po:3");
-    EXPECT_EQ(refused("msgid \"a\n").where, "ru/test.po:1");
-    EXPECT_EQ(refused("msgid \"a\\\"\n").where, "ru/test.po:1");
+    EXPECT_EQ(refused("msgid \"a\"\nmsgstr \"b\"\nnonsense\n").where, "ru/test.po: line 3");
+    EXPECT_EQ(refused("msgstr \"b\"\n").where, "ru/test.po: line 1");
+    EXPECT_EQ(refused("\n\n\"b\"\n").where, "ru/test.po: line 3");
+    EXPECT_EQ(refused("msgid \"a\n").where, "ru/test.po: line 1");
+    EXPECT_EQ(refused("msgid \"a\\\"\n").where, "ru/test.po: line 1");
 }
 
 std::size_t countOf(std::string_view text, std::string_view part) {
