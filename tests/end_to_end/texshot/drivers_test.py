@@ -54,7 +54,7 @@ def say(gl):
     gl.glGetIntegerv(GL_MAX_TEXTURE_SIZE, ctypes.byref(size))
     gl.glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, ctypes.byref(anisotropy))
     text = {name: gl.glGetString(number).decode() for name, number in (
-        ("vendor", GL_VENDOR), ("renderer", GL_RENDERER), ("version", GL_VERSION),
+        ("vendor", GL_VENDOR), ("driver", GL_RENDERER), ("version", GL_VERSION),
         ("shadingLanguage", GL_SHADING_LANGUAGE_VERSION), ("extensions", GL_EXTENSIONS))}
     return {**text, "extensions": text["extensions"].split(), "maxTextureSize": size.value,
             "maxAnisotropy": anisotropy.value}
