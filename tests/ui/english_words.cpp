@@ -15,7 +15,7 @@ const std::regex sameEverywhere(
     "RGBA?[0-9]*|OpenGL|glpng|OSMesa|Mesa|GLUquadric|glad|Texplorer|texshot|[Ll]lvmpipe|softpipe|Direct|DirectX|Adam7|Exif|"
     "Adobe|Huffman|Catmull|Rom|Mitchell|Netravali|Newell|NeHe|Phong|Gouraud|Kaiser|Lanczos|Paeth|"
     "[Mm]ip|[Mm]ipmaps?|[Aa]lpha|[Gg]amma|[Rr]ho|[Ll]ambda|Enter|Tab|Del|Home|End|Insert|Page|Shift|Ctrl|Alt|Esc|"
-    "KiB|MiB|cos|sin|sqrt|floor|frac|clamp|max|min|abs|dot|vec[234]|mat4|float|shadow|acne|true|false");
+    "KiB|MiB|cos|sin|sqrt|floor|frac|clamp|max|min|abs|dot|vec[234]|mat4|float|shadow|acne|true|false|null|e[0-9]+");
 
 } // namespace
 
