@@ -59,7 +59,7 @@ Result<void> checkPlaces(const PoEntry& entry, std::string_view name) {
                     expected.contains(others.front())
                         ? Sentence("expected a translation with {0}, as in its text", ProperName{place})
                         : Sentence("expected a translation without {0}, as in its text", ProperName{place}),
-                    fmt::format("{}:{}", name, entry.line));
+                    inFile(std::string(name)) / atLine(entry.line));
     }
     return {};
 }

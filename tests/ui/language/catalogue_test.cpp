@@ -113,7 +113,7 @@ TEST(Catalogue, RefusesATranslationWithOtherPlaceholders) {
     for (const char* form : {"нет", "{0} {1}", "{1}", "{}", "{", "{{0}}", "{color}"}) {
         const Error error = refused(std::string("\nmsgid \"a place: {0}\"\nmsgstr \"") + form + "\"\n");
         EXPECT_THAT(error.message, testing::StartsWith("expected a translation with")) << form;
-        EXPECT_EQ(error.where, "ru/test.po:2") << form;
+        EXPECT_EQ(error.where, "ru/test.po: line 2") << form;
     }
     EXPECT_EQ(refused("msgid \"a place: {0}\"\nmsgstr \"нет\"\n").message,
               "expected a translation with {0}, as in its text");
