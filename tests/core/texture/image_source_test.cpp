@@ -93,15 +93,15 @@ TEST_F(Images, AFileThatIsNoImageIsNamed) {
     const Result<void> loaded = source_.load(sceneOf({fileTexture("text.bmp")}));
     ASSERT_FALSE(loaded);
     EXPECT_EQ(loaded.error().code, ErrorCode::Unsupported);
-    EXPECT_EQ(loaded.error().where, "textures[0].file");
-    EXPECT_THAT(loaded.error().message, testing::StartsWith((folder_ / "text.bmp").string() + ": "));
+    EXPECT_EQ(loaded.error().where.steps().front().text, "textures[0].file");
+    EXPECT_EQ(loaded.error().where.inside(), (folder_ / "text.bmp").string());
     EXPECT_THAT(loaded.error().message, testing::HasSubstr("6e 6f 74 20"));
 }
 
 TEST_F(Images, ATextureWithoutAFileNameIsNamed) {
     const Result<void> loaded = source_.load(sceneOf({Texture{}, fileTexture("")}));
     ASSERT_FALSE(loaded);
-    EXPECT_EQ(loaded.error().where, "textures[1].file");
+    EXPECT_EQ(loaded.error().where.steps().front().text, "textures[1].file");
 }
 
 TEST_F(Images, WhatIsPutThereNeedsNoFileAndReplacesWhatWas) {
@@ -142,10 +142,11 @@ TEST_F(Images, DifferentFilesAreAddedUpAgainstTheBudget) {
     const Scene scene = sceneOf({fileTexture("red.bmp"), fileTexture("green.bmp"), fileTexture("blue.bmp")});
     const auto expectRefusal = [&](const Error& error) {
         EXPECT_EQ(error.code, ErrorCode::TooLarge);
-        EXPECT_EQ(error.where, "textures[2].file");
-        EXPECT_EQ(error.message, (folder_ / "blue.bmp").string() +
-                                     ": the image needs 3 bytes, but of the 2147483648 for all images of a "
-                                     "scene, 2 are left");
+        EXPECT_EQ(error.where.steps().front().text, "textures[2].file");
+        EXPECT_EQ(describe({error.code, error.message, error.where.inside()}),
+                  (folder_ / "blue.bmp").string() +
+                      ": the image needs 3 bytes, but of the 2147483648 for all images of a "
+                      "scene, 2 are left");
     };
     const Result<void> loaded = source_.load(scene, 8);
     ASSERT_FALSE(loaded);
@@ -164,8 +165,8 @@ TEST_F(Images, AnOutlineHasExtentsAndNoPixels) {
     const auto errors =
         source_.loadOutlines(sceneOf({red, fileTexture("text.bmp"), fileTexture("none.bmp"), Texture{}}));
     ASSERT_EQ(errors.size(), 2U);
-    EXPECT_EQ(errors[0].where, "textures[1].file");
-    EXPECT_EQ(errors[1].where, "textures[2].file");
+    EXPECT_EQ(errors[0].where.steps().front().text, "textures[1].file");
+    EXPECT_EQ(errors[1].where.steps().front().text, "textures[2].file");
     EXPECT_EQ(errors[1].code, ErrorCode::NotFound);
     const auto outline = source_.find(red);
     ASSERT_NE(outline, nullptr);
@@ -189,7 +190,7 @@ TEST_F(Images, LevelsAndPreparationNameFilesToo) {
     EXPECT_EQ(filesOf(scene), (std::set<std::string>{"red.bmp", "green.bmp", "none.bmp"}));
     const Result<void> loaded = source_.load(scene);
     ASSERT_FALSE(loaded);
-    EXPECT_EQ(loaded.error().where, "textures[0].preparation[1].file");
+    EXPECT_EQ(loaded.error().where.steps().front().text, "textures[0].preparation[1].file");
     const TexturePictures pictures = source_.picturesOf(scene.textures[0]);
     EXPECT_NE(pictures.base, nullptr);
     EXPECT_EQ(pictures.levels.at(1), source_.contentOf("green.bmp"));
@@ -199,8 +200,8 @@ TEST_F(Images, LevelsAndPreparationNameFilesToo) {
 TEST_F(Images, AFileThatALevelWantsMustBeNamed) {
     const auto errors = source_.loadOutlines(sceneOf({levelsTexture("", "")}));
     ASSERT_EQ(errors.size(), 2U);
-    EXPECT_EQ(errors[0].where, "textures[0].levels[1].file");
-    EXPECT_EQ(errors[1].where, "textures[0].preparation[1].file");
+    EXPECT_EQ(errors[0].where.steps().front().text, "textures[0].levels[1].file");
+    EXPECT_EQ(errors[1].where.steps().front().text, "textures[0].preparation[1].file");
 }
 
 TEST_F(Images, FilesOfLevelsCountAgainstTheBudget) {
@@ -208,7 +209,7 @@ TEST_F(Images, FilesOfLevelsCountAgainstTheBudget) {
     const Result<void> loaded = source_.load(sceneOf({levelsTexture("green.bmp", "red.bmp")}), 5);
     ASSERT_FALSE(loaded);
     EXPECT_EQ(loaded.error().code, ErrorCode::TooLarge);
-    EXPECT_EQ(loaded.error().where, "textures[0].levels[1].file");
+    EXPECT_EQ(loaded.error().where.steps().front().text, "textures[0].levels[1].file");
 }
 
 TEST_F(Images, OfKeyFramesAreNamedLoadedAndRenamedToo) {
