@@ -37,27 +37,6 @@ glm::vec3 normalOf(const Vertex& vertex) {
     return vertex.normal == glm::vec3(0) ? glm::vec3(0, 0, 1) : vertex.normal; // as glNormal begins
 }
 
-/// "1.0f, 0.5f,\n": so many in a row.
-std::string floatsText(std::span<const float> values, std::size_t columns) {
-    std::string text;
-    text.reserve(values.size() * 12);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        text += i % columns == 0 ? "    " : " ";
-        text += literal(values[i], Literal::Float);
-        text += i % columns == columns - 1 || i + 1 == values.size() ? ",\n" : ",";
-    }
-    return text;
-}
-
-std::string indicesText(std::span<const std::uint32_t> indices) {
-    constexpr std::size_t columns = 12;
-    std::string text;
-    for (std::size_t i = 0; i < indices.size(); ++i)
-        text += fmt::format("{}{},{}", i % columns == 0 ? "    " : " ", indices[i],
-                            i % columns == columns - 1 || i + 1 == indices.size() ? "\n" : "");
-    return text;
-}
-
 class ModelWriter {
 public:
     ModelWriter(Emission& emission, std::size_t index)

@@ -1,11 +1,13 @@
 #include "texplorer/emit/model_data.h"
 
+#include "texplorer/emit/code_writer.h"
 #include "texplorer/emit/program.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/sent_vertices.h"
 #include "texplorer/scene/texture_matrix.h"
 
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -23,6 +25,26 @@ bool givesRorQ(const Model& model, std::size_t unit) {
 }
 
 } // namespace
+
+std::string floatsText(std::span<const float> values, std::size_t columns) {
+    std::string text;
+    text.reserve(values.size() * 12);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        text += i % columns == 0 ? "    " : " ";
+        text += literal(values[i], Literal::Float);
+        text += i % columns == columns - 1 || i + 1 == values.size() ? ",\n" : ",";
+    }
+    return text;
+}
+
+std::string indicesText(std::span<const std::uint32_t> indices) {
+    constexpr std::size_t columns = 12;
+    std::string text;
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        text += fmt::format("{}{},{}", i % columns == 0 ? "    " : " ", indices[i],
+                            i % columns == columns - 1 || i + 1 == indices.size() ? "\n" : "");
+    return text;
+}
 
 bool isTwisted(const Model& model) {
     if (model.shape != Shape::Mesh || model.mesh.primitive != Primitive::QuadStrip)

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,10 @@ struct ModelForm {
 
 /// Of its triangles, or else of its lines or points; none: no program draws it.
 [[nodiscard]] const std::vector<std::uint32_t>& drawnIndices(const Mesh& mesh);
+
+/// "1.0f, 0.5f,\n": so many in a row.
+[[nodiscard]] std::string floatsText(std::span<const float> values, std::size_t columns);
+[[nodiscard]] std::string indicesText(std::span<const std::uint32_t> indices);
 
 /// Turned about an axis: a function of the program makes it.
 [[nodiscard]] bool isTurned(Shape shape);

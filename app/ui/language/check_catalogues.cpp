@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
         if (file && entries)
             continue;
         const std::string words = entries ? "expected a file that can be read" : entries.error().message;
-        const std::string where = entries ? argv[i] : entries.error().where;
+        const std::string where = entries ? argv[i] : entries.error().where.text();
         std::fprintf(stderr, "%s: error: %s\n", where.c_str(), words.c_str());
         status = 1;
     }
