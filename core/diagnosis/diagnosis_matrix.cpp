@@ -13,7 +13,7 @@
 namespace texplorer::diagnosis {
 namespace {
 
-/// The depth of the stacks that every OpenGL has (OpenGL 2.1, table 6.32: GL_MAX_TEXTURE_STACK_DEPTH).
+/// The depth of the stacks that every OpenGL has (OpenGL 2.1, section 6.2: GL_MAX_TEXTURE_STACK_DEPTH).
 constexpr int guaranteedDepth = 2;
 
 /// Steps of a pass, or of a model that some pass draws.

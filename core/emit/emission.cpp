@@ -4,6 +4,8 @@
 #include "texplorer/scene/drawn_models.h"
 
 #include <fmt/core.h>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -35,13 +37,33 @@ bool mayRead(const Texture& texture, const ImageSource& images, const ProgramOpt
            !options.fileName(texture.file).empty();
 }
 
+/// Whether glPixelTransferf can prepare a texture's image: a scale is all that does, and levels that are made
+/// of the scaled image are those of the image, scaled.
+bool isTransferred(const Texture& texture, const TextureImage& image) {
+    if (texture.preparation.size() != 1 || texture.preparation.front().op != ImageOp::Scale ||
+        texture.transparency != Transparency::File || texture.border != 0 ||
+        texture.npot != NpotPolicy::Keep || isDepth(texture.internalFormat) ||
+        texture.source == SourceKind::LightDepth || texture.compression == Compression::Driver ||
+        texture.compression == Compression::Cached || !std::holds_alternative<Image>(image.surfaces.front()))
+        return false;
+    const ImageStep& step = texture.preparation.front();
+    const glm::vec4 white = step.factor + step.bias;
+    const bool clamps = glm::any(glm::lessThan(glm::min(step.bias, white), glm::vec4(0))) ||
+                        glm::any(glm::greaterThan(glm::max(step.bias, white), glm::vec4(1)));
+    return texture.mipmaps == MipPolicy::None || texture.mipmaps == MipPolicy::GenerateMipmap ||
+           texture.mipmaps == MipPolicy::OnUpload || (texture.mipmaps == MipPolicy::Glu && !clamps);
+}
+
 /// The texture with the mipmap functions that a program may call: OpenGL 3.1 removed the parameter, and GLU
 /// belongs to OpenGL 2.1.
-Texture withCallsOf(Flavour flavour, const Texture& texture, const ProgramOptions& options) {
+Texture withCallsOf(Flavour flavour, const Texture& texture, const TextureImage& image,
+                    const ProgramOptions& options) {
     const bool isCore = flavour == Flavour::Glsl;
     if (options.selfContained || (isCore && texture.mipmaps == MipPolicy::Glu))
         return withGeneratedLevels(texture);
     Texture settings = texture;
+    if (!isCore && isTransferred(texture, image))
+        settings.preparation.clear();
     if (isCore && texture.mipmaps == MipPolicy::OnUpload)
         settings.mipmaps = MipPolicy::GenerateMipmap;
     return settings;
@@ -67,7 +89,7 @@ std::vector<std::optional<TexelRequest>> requestsOf(Flavour flavour, const Scene
         std::optional<TexelRequest>& request = requests.emplace_back();
         if (!pictures.base || !hasPixels(*pictures.base))
             continue;
-        const Texture settings = imageSettings(withCallsOf(flavour, texture, options));
+        const Texture settings = imageSettings(withCallsOf(flavour, texture, *pictures.base, options));
         request.emplace(TexelRequest{{std::move(pictures), settings, object.target}});
         if (mayRead(texture, images, options)) {
             request->file = images.directory() / texture.file;
@@ -100,8 +122,12 @@ Emission::Emission(Flavour flavour, const Scene& drawn, const ImageSource& image
     writer.explain(given.explained);
     for (CodeWriter* each : {&writer, &atStart, &atEnd})
         each->follow(moving);
-    for (const std::optional<TexelRequest>& request : requestsOf(flavour, drawn, moving, images, given))
+    for (const std::optional<TexelRequest>& request : requestsOf(flavour, drawn, moving, images, given)) {
+        if (request && request->levels.settings.preparation.empty() &&
+            !drawn.textures[objects[texels.size()].texture].preparation.empty())
+            transferred.insert(texels.size());
         texels.push_back(request ? codes.of(*request) : nullptr);
+    }
     for (std::size_t i = 0; i < drawn.models.size(); ++i) {
         bool flips = false;
         for (std::size_t u = 0; u < maxUnits; ++u)

@@ -91,14 +91,15 @@ struct Emission {
     std::vector<TextureObject> objects;
     std::vector<std::shared_ptr<const Result<TextureCode>>> texels; ///< of each object
     std::vector<ModelForm> models;                                  ///< how each is drawn
-    bool isCore;                     ///< OpenGL 3.3 without what it took from OpenGL 2.1
-    bool isLit;                      ///< some pass is
-    bool needsNormals = false;       ///< some pass is lit or reflects
-    bool hasLightExtent = false;     ///< a constant of the program
-    bool callsGlu = false;           ///< for shapes or levels: then for the projection, too
-    std::set<std::size_t> leftOut{}; ///< of the objects: nothing shows them
-    bool moves = false;              ///< draw() is given the seconds since the start
-    bool inFrame = false;            ///< what is written is done in every frame, after the camera's calls
+    bool isCore;                         ///< OpenGL 3.3 without what it took from OpenGL 2.1
+    bool isLit;                          ///< some pass is
+    bool needsNormals = false;           ///< some pass is lit or reflects
+    bool hasLightExtent = false;         ///< a constant of the program
+    bool callsGlu = false;               ///< for shapes or levels: then for the projection, too
+    std::set<std::size_t> leftOut{};     ///< of the objects: nothing shows them
+    std::set<std::size_t> transferred{}; ///< of the objects: glPixelTransferf scales what is uploaded
+    bool moves = false;                  ///< draw() is given the seconds since the start
+    bool inFrame = false;                ///< what is written is done in every frame, after the camera's calls
 
     int activeUnit = 0;
     std::array<std::optional<Target>, maxUnits> shown{};

@@ -33,13 +33,14 @@ std::string listed(std::span<const std::uint8_t> bytes) {
 class TexelWriter {
 public:
     TexelWriter(Emission& emission, const Holder& holder, const Texture& texture,
-                std::shared_ptr<const Result<TextureCode>> code)
+                std::shared_ptr<const Result<TextureCode>> code, bool isTransferred)
         : emission_(emission)
         , writer_(emission.writer)
         , holder_(holder)
         , texture_(texture)
         , owner_(std::move(code))
-        , code_(**owner_) {}
+        , code_(**owner_)
+        , isTransferred_(isTransferred) {}
 
     void write() {
         if (code_.reader == FileReader::Dds) {
@@ -48,12 +49,37 @@ public:
                                 plain(fmt::format(", {}); ", code_.flipsBlocks ? 1 : 0)),
                                 comment("every mip level")});
         }
+        if (isTransferred_)
+            transfer(false);
         for (const LevelGroup& group : groupsOf(code_))
             writeGroup(group);
+        if (isTransferred_)
+            transfer(true);
     }
 
 private:
     [[nodiscard]] bool isCube() const { return code_.faces > 1; }
+
+    /// glPixelTransferf, with the scale's numbers or with OpenGL's initial ones.
+    void transfer(bool isInitial) {
+        constexpr std::array components{"RED", "GREEN", "BLUE", "ALPHA"};
+        const ImageStep initial;
+        const ImageStep& step = texture_.preparation.front();
+        const std::string path = pathOf(elementOf<&Texture::preparation>(0));
+        const auto set = [&](glm::vec4 ImageStep::*member, std::string_view name, const std::string& key) {
+            for (int i = 0; i < 4; ++i) {
+                if ((step.*member)[i] == (initial.*member)[i])
+                    continue;
+                const std::string param = fmt::format("{}.{}", path, key);
+                writer_.add(callWith(
+                    "glPixelTransferf",
+                    {plain(fmt::format("GL_{}_{}, ", components.at(static_cast<std::size_t>(i)), name)),
+                     isInitial ? number((initial.*member)[i]) : number((step.*member)[i], param, i)}));
+            }
+        };
+        set(&ImageStep::factor, "SCALE", keyOf<&ImageStep::factor>());
+        set(&ImageStep::bias, "BIAS", keyOf<&ImageStep::bias>());
+    }
 
     void writeGroup(const LevelGroup& group) {
         const LevelCode& level = group.first();
@@ -315,6 +341,7 @@ private:
     const Texture& texture_;
     const std::shared_ptr<const Result<TextureCode>> owner_;
     const TextureCode& code_;
+    bool isTransferred_;
 };
 
 /// Room for them, and the framebuffer object that they are drawn into.
@@ -353,7 +380,7 @@ void writeTexels(Emission& emission, const Holder& holder, std::size_t object) {
         return emission.writer.comment(texture.file.empty() ? "no file is chosen" : "the file isn't there");
     if (!*code)
         return emission.writer.comment((*code).error().message);
-    TexelWriter(emission, holder, texture, code).write();
+    TexelWriter(emission, holder, texture, code, emission.transferred.contains(object)).write();
 }
 
 } // namespace texplorer::emit

@@ -209,13 +209,14 @@ std::vector<Part> bindingCall(Emission& emission, const Unit& unit, const std::s
         return static_cast<int>(found - emission.objects.begin());
     };
     const std::string path = fmt::format("{}.{}", unitPath, keyOf<&Unit::texture>());
-    const int object = objectOf(unit.texture);
-    if (object == static_cast<int>(emission.objects.size()))
-        return {};
+    const auto count = static_cast<int>(emission.objects.size());
     // An index is the texture's own, but for one that is shown on a second target.
-    const auto isOwn = [&](int texture) { return objectOf(texture) == texture; };
+    const auto isOwn = [&](int texture) { return texture < count && objectOf(texture) == texture; };
     if (emission.keys.moves(path) && !std::ranges::all_of(emission.keys.indicesOf(path, unit.texture), isOwn))
         emission.keys.refuse(path);
+    const int object = objectOf(unit.texture);
+    if (object == count)
+        return {};
     const Part index = isOwn(unit.texture) ? whole(unit.texture, path) : plain(fmt::format("{}", object));
     return callWith("glBindTexture",
                     {plain(fmt::format("{}, textures[", rowOf(unit.target).name)), index, plain("]")});

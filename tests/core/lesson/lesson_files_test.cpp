@@ -164,8 +164,8 @@ TEST_F(FolderOnDisk, WithoutALessonSaysSo) {
 TEST_F(FolderOnDisk, SaysFileAndPlaceOfAMistake) {
     write(path / "lesson.json", "{\"lesson\": 1,\n\"title\": \"L\",\n}");
     EXPECT_EQ(problem().code, ErrorCode::Malformed);
-    EXPECT_THAT(problem().where.text(), EndsWith("mine/lesson.json"));
-    EXPECT_THAT(problem().message, HasSubstr("line 3"));
+    EXPECT_THAT(problem().where.text(), EndsWith("mine/lesson.json: line 3, column 1"));
+    EXPECT_THAT(problem().message, HasSubstr("expected a key in quotes"));
     write(path / "lesson.json", R"({"lesson": 1, "title": "L", "about": "A", "stpes": []})");
     EXPECT_THAT(problem().message, HasSubstr("expected the key \"steps\""));
     write(path / "lesson.json", std::string(maxLessonBytes + 1, ' '));

@@ -57,6 +57,35 @@ class Programs:
                     self.assertEqual((done.returncode, done.stdout, out.exists()), (1, "", False))
                     self.assertRegex(done.stderr, rf"^texshot: .*{re.escape(path)}: a program .*; texshot animate can\n$")
 
+    def test_scales_texels_during_the_upload(self):
+        """glPixelTransferf where nothing else prepares the image: halved as NeHe does it, clamped at both ends, with the levels
+        of the driver and of GLU, in formats that keep some components. Otherwise, and with shaders, the texels are scaled."""
+        scaled = {"half": ([0.5, 0.5, 0.5, 1], [0, 0, 0, 0], {}), "clamped": ([2, -1, 1.5, 0.5], [-0.25, 1, 0.1, 0.3], {}),
+                  "driver": ([1.5, 1, 1, 1], [0, 0.2, 0, 0], {"mipmaps": "glGenerateMipmap"}),
+                  "glu": ([0.25, 0.5, 0.75, 1], [0.25, 0.5, 0, 0], {"mipmaps": "gluBuild2DMipmaps"}),
+                  "luminance": ([0.5, 2, 2, 0.25], [0.25, 0, 0, 0.5], {"internalFormat": "GL_LUMINANCE_ALPHA"})}
+        made = {"glu-clamped": ([2, 2, 2, 1], [0, 0, 0, 0], {"mipmaps": "gluBuild2DMipmaps"}),
+                "levels": ([0.5, 0.5, 0.5, 1], [0, 0, 0, 0], {"mipmaps": "generated"})}
+        with tempfile.TemporaryDirectory() as folder:
+            cases = []
+            for name, (factor, bias, settings) in (scaled | made).items():
+                scene = Path(folder) / f"short-{name}.json"
+                scene.write_text(json.dumps({
+                    "version": 1, "models": [{"shape": "quad"}, {"shape": "cube", "position": [1.2, 0, 0]}],
+                    "textures": [{"pattern": "gradient", "magFilter": "GL_NEAREST", "minFilter": "GL_LINEAR_MIPMAP_LINEAR" if settings.get("mipmaps") else "GL_NEAREST",
+                                  "preparation": [{"op": "scale", "factor": factor, "bias": bias}], **settings},
+                                 {"pattern": "gradient"}],
+                    "passes": [{"depthTest": True, "blend": True, "blendSrc": "GL_SRC_ALPHA", "blendDst": "GL_ONE_MINUS_SRC_ALPHA",
+                                "units": [{"enabled": True, "envMode": "GL_REPLACE"}, {"enabled": True, "texture": 1}]}]}))
+                cases.append(Case(name, (str(scene),), Path(folder) / f"{name}.json"))
+                written(TEXSHOT, cases[-1])
+            proof = Proof(TEXSHOT, self.FLAVOUR, self.capture, Path(KEEP) / "transfer")
+            for case, verdict in zip(cases, proof.of_all(cases)):
+                with self.subTest(case.name):
+                    self.assertEqual((verdict.wrong, verdict.refused), ("", ""))
+                    program = said(TEXSHOT, "emit", *case.words, "--as", self.FLAVOUR.name)
+                    self.assertEqual("glPixelTransferf(GL_RED_SCALE" in program, self.FLAVOUR is FIXED and case.name in scaled)
+
     def test_reads_files(self):
         """BMP, TGA and DDS files by the lines that the program has for them: odd rows, both orders of rows, levels of one and
         two rows, blocks that are turned around."""
