@@ -158,9 +158,9 @@ void forgottenPop(const Case& about, Report& report) {
         const std::string path =
             fmt::format("{}.{}", elementOf<&Scene::models>(m), keyOf<&Model::pushMatrix>());
         report.add(path,
-                   Sentence("without glPopMatrix the steps of its texture matrix also change what is drawn "
-                            "later: {0}",
-                            Sentence::joined("{0}, {1}", names)),
+                   Sentence("without glPopMatrix the texture matrix steps of {0} also change what is drawn "
+                            "later: {1}",
+                            ProperName{elementOf<&Scene::models>(m)}, Sentence::joined("{0}, {1}", names)),
                    Fix{N_("Push and pop the matrix"), {{path, "true"}}});
     }
 }

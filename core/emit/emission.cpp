@@ -128,6 +128,16 @@ Emission::Emission(Flavour flavour, const Scene& drawn, const ImageSource& image
             transferred.insert(texels.size());
         texels.push_back(request ? codes.of(*request) : nullptr);
     }
+    lateFlips.resize(drawn.passes.size());
+    for (std::size_t p = 0; p < drawn.passes.size(); ++p) {
+        for (std::size_t u = 0; u < maxUnits; ++u)
+            lateFlips[p][u] =
+                keys.decided(drawn, {unitPath(p, u, {keyOf<&Unit::texture>()})}, [&](const Scene& other) {
+                    const Unit& unit = other.passes[p].units[u];
+                    const TextureCode* code = unit.enabled ? codeOf(unit) : nullptr;
+                    return code ? code->lateFlip : LateFlip::None;
+                });
+    }
     for (std::size_t i = 0; i < drawn.models.size(); ++i) {
         bool flips = false;
         for (std::size_t u = 0; u < maxUnits; ++u)
@@ -136,7 +146,8 @@ Emission::Emission(Flavour flavour, const Scene& drawn, const ImageSource& image
     }
     if (!isCore && !given.selfContained)
         takeGlu(*this);
-    refuseShapes();
+    if (!keys.empty())
+        refuseShapes();
 }
 
 void Emission::refuseShapes() {
@@ -180,18 +191,10 @@ const TextureCode* Emission::codeOf(const Unit& unit) const {
     return nullptr;
 }
 
-LateFlip Emission::lateFlipOf(std::size_t pass, std::size_t unit) const {
-    return keys.decided(scene, {unitPath(pass, unit, {keyOf<&Unit::texture>()})}, [&](const Scene& other) {
-        const Unit& given = other.passes[pass].units[unit];
-        const TextureCode* code = given.enabled ? codeOf(given) : nullptr;
-        return code ? code->lateFlip : LateFlip::None;
-    });
-}
-
 bool Emission::flipsCoords(std::size_t model, std::size_t unit) const {
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {
         const std::vector<std::size_t> drawn = drawnModels(scene, scene.passes[p]);
-        if (std::ranges::find(drawn, model) != drawn.end() && lateFlipOf(p, unit) == LateFlip::Coordinates)
+        if (std::ranges::find(drawn, model) != drawn.end() && lateFlips[p][unit] == LateFlip::Coordinates)
             return true;
     }
     return false;

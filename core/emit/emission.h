@@ -91,6 +91,7 @@ struct Emission {
     std::vector<TextureObject> objects;
     std::vector<std::shared_ptr<const Result<TextureCode>>> texels; ///< of each object
     std::vector<ModelForm> models;                                  ///< how each is drawn
+    std::vector<std::array<LateFlip, maxUnits>> lateFlips;          ///< of each pass's units
     bool isCore;                         ///< OpenGL 3.3 without what it took from OpenGL 2.1
     bool isLit;                          ///< some pass is
     bool needsNormals = false;           ///< some pass is lit or reflects
@@ -115,8 +116,6 @@ struct Emission {
     [[nodiscard]] std::string passVariable(std::size_t pass) const;
     /// The texture object that a unit shows, or nullptr.
     [[nodiscard]] const TextureCode* codeOf(const Unit& unit) const;
-    /// How a unit's image, which lies upside down, is turned around.
-    [[nodiscard]] LateFlip lateFlipOf(std::size_t pass, std::size_t unit) const;
     /// Whether t of a model's coordinates for a unit is turned around.
     [[nodiscard]] bool flipsCoords(std::size_t model, std::size_t unit) const;
     /// What has many numbers: its name at the start, the numbers at the end of the program.

@@ -126,7 +126,7 @@ private:
 };
 
 bool flips(const Emission& emission, std::size_t pass, std::size_t unit) {
-    return emission.lateFlipOf(pass, unit) == LateFlip::Matrix;
+    return emission.lateFlips[pass][unit] == LateFlip::Matrix;
 }
 
 void loadStart(CodeWriter& writer, bool flips) {

@@ -141,12 +141,12 @@ bool renewLines(Session& session, CommandsTabState& state) {
     state.rowsAreOld = true;
     state.refused = *made ? Sentence() : describe(made->error());
     std::vector<emit::Line> lines = made->value_or(std::vector<emit::Line>{});
-    const auto haveChanged = [&](const std::vector<emit::Line>& among) {
-        return std::ranges::any_of(among,
-                                   [&](const emit::Line& line) { return mentionsAny(line, state.changed); });
+    const auto changedIn = [&](const std::vector<emit::Line>& among) {
+        return std::ranges::count_if(
+            among, [&](const emit::Line& line) { return mentionsAny(line, state.changed); });
     };
     // A number that is dragged to a value for which its call is not needed stays under the pointer.
-    if (ImGui::IsAnyItemActive() && !haveChanged(lines) && haveChanged(state.lines))
+    if (ImGui::IsAnyItemActive() && changedIn(lines) < changedIn(state.lines))
         return false;
     state.lines = std::move(lines);
     state.scene = scene;

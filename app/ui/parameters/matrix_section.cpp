@@ -6,6 +6,7 @@
 #include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/segments.h"
 #include "texplorer/preset/preset.h"
+#include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/params/keys.h"
 #include "texplorer/scene/texture_matrix.h"
 
@@ -118,6 +119,21 @@ void stepRows(const Session& session, const StepList& steps, const std::vector<S
     }
 }
 
+/// That models before the selected one left in its pass, for want of a glPopMatrix.
+std::size_t stepsOfEarlierModels(const Session& session) {
+    const Selection& selection = session.look.selection;
+    const auto pass = static_cast<std::size_t>(selection.pass);
+    const auto model = static_cast<std::size_t>(selection.model);
+    const Scene& scene = presentScene(session);
+    const std::vector<std::size_t> drawn = drawnModels(scene, scene.passes[pass]);
+    if (std::ranges::find(drawn, model) == drawn.end())
+        return 0;
+    const PlacedSteps steps = textureSteps(scene, pass, static_cast<std::size_t>(selection.unit), model);
+    return static_cast<std::size_t>(std::ranges::count_if(steps, [&](const PlacedStep& placed) {
+        return placed.pass == pass && placed.model && placed.model != model;
+    }));
+}
+
 /// What is multiplied after the steps of the pass, for one model.
 void modelSteps(const Session& session, const std::vector<ShownStruct>& places) {
     const Model* model = selectedModel(session);
@@ -130,6 +146,8 @@ void modelSteps(const Session& session, const std::vector<ShownStruct>& places) 
     caption("Then, for the model");
     const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
     modelChoice(session, width, width);
+    if (const std::size_t left = stepsOfEarlierModels(session); left > 0)
+        dimText(Sentence("Earlier models left {0}", Sentence::plural("{0} step", "{0} steps", left)));
     if (steps.count > 0 || !model->pushMatrix)
         paramWidget(session, owner, *findParam(modelTable(), keyOf<&Model::pushMatrix>()));
     stepRows(session, steps, places);

@@ -80,10 +80,10 @@ void paramTip(const ParamRow& row, const Value& value, const Value& initial, Tar
               const Finding* idle, const Finding* problem, bool hasSign) {
     if (!wantsHelp())
         return;
-    const bool told = toldChoice.frame == ImGui::GetFrameCount() && !idle && !problem;
-    if (told && toldChoice.below)
+    const bool isTold = toldChoice.frame == ImGui::GetFrameCount(); // by the tip of a choice
+    if (isTold && toldChoice.below && !idle && !problem)
         return;
-    if (hintParam(row, value, initial, target, idle, problem, hasSign) || told)
+    if (hintParam(row, value, initial, target, idle, problem, hasSign) || isTold)
         return;
     if (ImGui::IsItemHovered() && hasJustClicked())
         return;
