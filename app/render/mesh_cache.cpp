@@ -72,10 +72,23 @@ MeshCache::MeshSlot& MeshCache::meshOf(const Model& model, std::size_t index) {
     return slot;
 }
 
+const Model& MeshCache::sentModel(const Model& model, std::size_t index) {
+    if (!leavesOutCalls(model)) {
+        sent_.erase(index);
+        return model;
+    }
+    auto& [given, sent] = sent_[index];
+    if (given != model) {
+        given = model;
+        sent = *SentModel(given);
+    }
+    return sent;
+}
+
 void MeshCache::bind(const Scene& scene, const Pass& pass, std::size_t index, double time,
                      const std::array<CoordUse, maxUnits>& units) {
-    const SentModel sent(scene.models[index]);
-    const MeshSlot& slot = meshOf(*sent, index);
+    const Model& sent = sentModel(scene.models[index], index);
+    const MeshSlot& slot = meshOf(sent, index);
     bound_ = &slot;
 
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, slot.indices.name());
@@ -84,7 +97,7 @@ void MeshCache::bind(const Scene& scene, const Pass& pass, std::size_t index, do
     for (int unit = 0; unit < maxUnits; ++unit) {
         const auto at = static_cast<std::size_t>(unit);
         if (units[at] != CoordUse::Off)
-            bindCoords(scene, pass, *sent, time, {index, unit, pass.units[at].emboss.enabled}, units[at]);
+            bindCoords(scene, pass, sent, time, {index, unit, pass.units[at].emboss.enabled}, units[at]);
     }
 }
 

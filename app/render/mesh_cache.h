@@ -7,6 +7,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <utility>
 
 namespace texplorer::render {
 
@@ -71,6 +72,8 @@ private:
     };
 
     static MeshKey keyOf(const Model& model, std::size_t index);
+    /// The model with a vertex for each that is sent, if it leaves out calls of glTexCoord.
+    const Model& sentModel(const Model& model, std::size_t index);
     MeshSlot& meshOf(const Model& model, std::size_t index);
     void pointAtVertices() const;
     void pointAtCoords(int unit, int stride, std::size_t offset) const;
@@ -80,6 +83,7 @@ private:
     VertexInput input_;
     std::map<MeshKey, MeshSlot> meshes_;
     std::map<CoordKey, CoordSlot> coords_;
+    std::map<std::size_t, std::pair<Model, Model>> sent_; ///< by model: as given, and as sent
     const MeshSlot* bound_ = nullptr;
     std::uint64_t versions_ = 0;
 };

@@ -43,8 +43,9 @@ bool isTransferred(const Texture& texture, const TextureImage& image) {
     if (texture.preparation.size() != 1 || texture.preparation.front().op != ImageOp::Scale ||
         texture.transparency != Transparency::File || texture.border != 0 ||
         texture.npot != NpotPolicy::Keep || isDepth(texture.internalFormat) ||
-        texture.source == SourceKind::LightDepth || texture.compression == Compression::Driver ||
-        texture.compression == Compression::Cached || !std::holds_alternative<Image>(image.surfaces.front()))
+        hasFewBits(texture.internalFormat) || texture.source == SourceKind::LightDepth ||
+        texture.compression == Compression::Driver || texture.compression == Compression::Cached ||
+        !std::holds_alternative<Image>(image.surfaces.front()))
         return false;
     const ImageStep& step = texture.preparation.front();
     const glm::vec4 white = step.factor + step.bias;
@@ -130,7 +131,7 @@ Emission::Emission(Flavour flavour, const Scene& drawn, const ImageSource& image
     }
     lateFlips.resize(drawn.passes.size());
     for (std::size_t p = 0; p < drawn.passes.size(); ++p) {
-        for (std::size_t u = 0; u < maxUnits; ++u)
+        for (std::size_t u = 0; u < maxUnits && drawsAnything(drawn, drawn.passes[p]); ++u)
             lateFlips[p][u] =
                 keys.decided(drawn, {unitPath(p, u, {keyOf<&Unit::texture>()})}, [&](const Scene& other) {
                     const Unit& unit = other.passes[p].units[u];

@@ -158,10 +158,10 @@ void writeTexture(Emission& emission, std::size_t object) {
         callWith("glBindTexture", {plain(fmt::format("{}, textures[{}]", rowOf(target).name, object))}));
     const auto& code = emission.texels[object];
     // The driver makes levels above the base level alone.
-    const bool isHigher =
+    const bool levelsFirst =
+        code && *code && isMadeByDriver((*code)->mipmaps) &&
         emission.keys.decided(emission.scene, texturePaths(index, {keyOf<&Texture::baseLevel>()}),
                               [i = index](const Scene& scene) { return scene.textures[i].baseLevel > 0; });
-    const bool levelsFirst = code && *code && isMadeByDriver((*code)->mipmaps) && isHigher;
     if (levelsFirst)
         writeTexels(emission, holder, object);
     writeParameters(emission, texture, object);

@@ -240,7 +240,9 @@ void KeyFrames::refuseChanges(const Scene& scene, const std::vector<std::string>
         if (std::ranges::any_of(paths, isBelow))
             moving.push_back({path, valuesOf(param)});
     }
-    Scene other = moving.empty() ? Scene() : scene;
+    if (moving.empty() || !refused_.empty())
+        return;
+    Scene other = scene;
     std::size_t count = 1; // of the combinations of the values of the first parameters
     for (std::size_t n = 0; n < moving.size(); ++n) {
         count *= moving[n].values.size();

@@ -56,7 +56,7 @@ public:
     /// The scene without its keys. Numbers have a value between two keys, where hardly anything is 0 or 1 by
     /// chance; what can be switched on is on.
     [[nodiscard]] const Scene& standing() const { return standing_; }
-    /// Another one, in which moving parameters have other values.
+    /// Another one, in which moving parameters have other values; for tests, as programs have to be the same.
     void standAt(Scene scene);
 
     /// The variable of a parameter that moves.

@@ -86,7 +86,7 @@ private:
 /// The program, which moves as the scene's key frames say. What the scene's textures hold comes from
 /// `images`; one that has none is left out, as renderers leave it out. Those of OpenGL 3.3's core profile
 /// have the shaders of the shader renderer. Unsupported: what the scene says that such a program can't, in
-/// one sentence; key frames with more than maxSwitchedValues values of a parameter that jumps.
+/// one sentence.
 [[nodiscard]] Result<std::vector<Line>> program(Flavour flavour, const Scene& scene,
                                                 const ImageSource& images, const ProgramOptions& options,
                                                 TextureCodes& codes);

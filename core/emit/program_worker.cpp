@@ -88,6 +88,8 @@ std::optional<ProgramWorker::State::Made> ProgramWorker::State::work(const Makin
 }
 
 std::optional<ProgramWorker::State::Written> ProgramWorker::State::write(const Writing::Task& task) {
+    if (task.superseded().stop_requested())
+        return std::nullopt;
     const auto& [wanted, options, known] = task.job();
     TextureCodes codes = known;
     return Written{wanted, emit::program(wanted.flavour, wanted.scene, wanted.images, options, codes)};

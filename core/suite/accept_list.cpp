@@ -6,8 +6,6 @@
 #include "texplorer/text/printable.h"
 #include "texplorer/text/utf8.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>

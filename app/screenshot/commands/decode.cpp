@@ -5,8 +5,6 @@
 #include "texplorer/image/mipmaps.h"
 #include "texplorer/s3tc/surface_pixels.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 namespace texplorer::screenshot {

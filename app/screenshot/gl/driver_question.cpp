@@ -6,7 +6,6 @@
 #include "app/screenshot/workers/work_loop.h"
 #include "texplorer/text/printable.h"
 
-#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

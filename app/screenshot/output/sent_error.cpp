@@ -41,6 +41,15 @@ Sentence sentSentence(const json& sent) {
     return Sentence::ofParts(key, std::move(arguments)).english();
 }
 
+/// One of an enumeration's values, the first of which is 0.
+template<class Enum>
+Enum sentValue(const json& sent, Enum last) {
+    const auto number = sent.get<unsigned>();
+    if (number > static_cast<unsigned>(last))
+        throw json::out_of_range::create(401, "no such value", &sent);
+    return static_cast<Enum>(number);
+}
+
 } // namespace
 
 json sentJson(const Error& error) {
@@ -53,10 +62,10 @@ json sentJson(const Error& error) {
 }
 
 Error sentError(const json& sent) {
-    Error error{static_cast<ErrorCode>(sent.at("code").get<int>()), sentSentence(sent.at("message")), {}};
+    Error error{sentValue(sent.at("code"), ErrorCode::Cancelled), sentSentence(sent.at("message")), {}};
     for (const json& each : sent.at("where"))
         error.where = error.where /
-                      Location(Location::Step{static_cast<Location::Kind>(each.at(0).get<int>()),
+                      Location(Location::Step{sentValue(each.at(0), Location::Kind::Name),
                                               each.at(1).get<std::string>(), each.at(2).get<std::size_t>(),
                                               each.at(3).get<std::size_t>()});
     return error;

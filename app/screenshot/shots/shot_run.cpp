@@ -12,8 +12,6 @@
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/image/convert.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <optional>
 #include <utility>

@@ -3,8 +3,6 @@
 #include "app/screenshot/workers/signal_text.h"
 #include "texplorer/base/sentence_format.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <csignal>
 #include <deque>

@@ -76,7 +76,9 @@ bool isNarrow(const List& list) {
 /// A checkbox, and if the call is left out, whose coordinates the vertex has.
 void callCell(const Session& session, const List& list, std::size_t vertex) {
     const std::optional<std::uint32_t> source = list.sources[vertex];
-    bool sends = source == vertex;
+    const std::vector<int>& leftOut =
+        selectedModel(session)->noTexCoord[static_cast<std::size_t>(session.look.selection.unit)];
+    bool sends = std::ranges::find(leftOut, static_cast<int>(vertex)) == leftOut.end();
     ImGui::TableNextColumn();
     if (ImGui::Checkbox("##call", &sends)) {
         chooseVertex(session, list, vertex);

@@ -169,7 +169,7 @@ std::size_t leftStepCount(const Session& session) {
 std::size_t matrixStepCount(const Session& session) {
     const Model* model = selectedModel(session);
     return leftStepCount(session) + stepsOfPass(session).count +
-           (model ? stepsOfModel(session, *model).count : 0);
+           (model ? stepsOfEarlierModels(session) + stepsOfModel(session, *model).count : 0);
 }
 
 void motionButtons(const Session& session) {

@@ -91,7 +91,8 @@ Result<void> checkVertexList(const Model& model, const ParamRow& row) {
         return checkNumbers(
             *numbers, count,
             [&](int number) {
-                return Sentence("there is no vertex {0}, the {1} has {2}", number, rowOf(model.shape).name,
+                return Sentence("there is no vertex {0}, the {1} has {2}", number,
+                                ProperName{rowOf(model.shape).name},
                                 Sentence::plural("{0} vertex", "{0} vertices", count));
             },
             N_("expected each vertex once, found {0} twice"));

@@ -230,6 +230,16 @@ TEST(EmittedKeyFrames, AreRefusedWhereAnotherNameStandsForThem) {
     EXPECT_TRUE(programOf(scene, Flavour::Glsl));
 }
 
+TEST(EmittedKeyFrames, OfTheBaseLevelMoveUnlessTheDriverMakesLevels) {
+    Scene scene = sceneWith({{0, "textures[0].baseLevel", "0"}, {1, "textures[0].baseLevel", "3"}});
+    EXPECT_THAT(bodyOf(textOf(scene), draw),
+                Contains("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, texture0BaseLevel);"));
+    scene.textures[0].mipmaps = MipPolicy::GenerateMipmap; // above the base level
+    const auto lines = programOf(scene);
+    ASSERT_FALSE(lines);
+    EXPECT_EQ(lines.error().where, "textures[0].baseLevel");
+}
+
 // Mesa is given at least the base level, or it crashes: that isn't the number of the keys.
 TEST(EmittedKeyFrames, AreRefusedWhereOpenGlIsGivenAnotherNumber) {
     Scene scene = sceneWith({{0, "textures[0].maxLevel", "1"}, {1, "textures[0].maxLevel", "2"}});

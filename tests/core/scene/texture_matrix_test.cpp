@@ -27,7 +27,8 @@ MatrixStep load(float s) {
 /// Two models, and so many passes that draw both with unit 0.
 Scene passesOfTwo(std::size_t passes) {
     Scene scene = defaultScene();
-    scene.passes.assign(passes, scene.passes[0]);
+    const Pass pass = scene.passes[0];
+    scene.passes.assign(passes, pass);
     return scene;
 }
 

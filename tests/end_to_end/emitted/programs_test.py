@@ -65,7 +65,9 @@ class Programs:
                   "glu": ([0.25, 0.5, 0.75, 1], [0.25, 0.5, 0, 0], {"mipmaps": "gluBuild2DMipmaps"}),
                   "luminance": ([0.5, 2, 2, 0.25], [0.25, 0, 0, 0.5], {"internalFormat": "GL_LUMINANCE_ALPHA"})}
         made = {"glu-clamped": ([2, 2, 2, 1], [0, 0, 0, 0], {"mipmaps": "gluBuild2DMipmaps"}),
-                "levels": ([0.5, 0.5, 0.5, 1], [0, 0, 0, 0], {"mipmaps": "generated"})}
+                "levels": ([0.5, 0.5, 0.5, 1], [0, 0, 0, 0], {"mipmaps": "generated"}),
+                "few-bits": ([0.7, 0.7, 0.7, 1], [0, 0, 0, 0], {"internalFormat": "GL_R3_G3_B2"}),
+                "four-bits": ([0.7, 0.7, 0.7, 1], [0, 0, 0, 0], {"internalFormat": "GL_RGBA4"})}
         with tempfile.TemporaryDirectory() as folder:
             cases = []
             for name, (factor, bias, settings) in (scaled | made).items():

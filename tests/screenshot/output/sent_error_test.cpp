@@ -49,6 +49,11 @@ TEST(SentErrors, AreNoOtherJson) {
     EXPECT_THROW(
         static_cast<void>(sentError(nlohmann::json::parse(R"({"code": 1, "message": [], "where": []})"))),
         nlohmann::json::exception);
+    for (const char* text :
+         {R"({"code": 9, "message": "", "where": []})", R"({"code": -1, "message": "", "where": []})",
+          R"({"code": 1, "message": "", "where": [[6, "a", 0, 0]]})"})
+        EXPECT_THROW(static_cast<void>(sentError(nlohmann::json::parse(text))), nlohmann::json::exception)
+            << text;
 }
 
 } // namespace
