@@ -163,7 +163,7 @@ Scene matrixStack(int number, Dice& state, Dice& values) {
         if (!state.chance(3))
             model.units[0].matrix = {step()};
     }
-    scene.passes.assign(3, scene.passes[0]);
+    scene.passes.resize(3, scene.passes[0]);
     scene.passes[1].units[0].matrixStart = second;
     scene.passes[2].units[0].matrixStart = last;
     for (Pass& pass : scene.passes)

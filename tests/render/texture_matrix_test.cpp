@@ -158,7 +158,7 @@ TEST_F(MatrixStacks, LeaveOtherUnitsAlone) {
 
 TEST_F(MatrixStacks, GoFromPassToPass) {
     Scene scene = halves();
-    scene.passes.assign(3, scene.passes[0]);
+    scene.passes.resize(3, scene.passes[0]);
     for (Pass& pass : scene.passes) {
         pass.blend = true; // the columns are added
         pass.blendDst = BlendFactor::One;

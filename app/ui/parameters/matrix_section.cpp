@@ -119,7 +119,7 @@ void stepRows(const Session& session, const StepList& steps, const std::vector<S
     }
 }
 
-/// That models before the selected one left in its pass, for want of a glPopMatrix.
+/// That models before the selected one left in its pass, without a glPopMatrix.
 std::size_t stepsOfEarlierModels(const Session& session) {
     const Selection& selection = session.look.selection;
     const auto pass = static_cast<std::size_t>(selection.pass);

@@ -612,7 +612,7 @@ TEST(EmittedMatrices, ArePushedAndPoppedAroundModels) {
 
 TEST(EmittedMatrices, ArePushedKeptOrLoadedByPasses) {
     Scene scene = defaultScene();
-    scene.passes.assign(3, scene.passes[0]);
+    scene.passes.resize(3, scene.passes[0]);
     const auto unit = [&](std::size_t pass) -> Unit& { return scene.passes[pass].units[0]; };
     unit(0).matrix = {{.op = MatrixOp::Scale, .amount = {3, 1, 1}}};
     unit(1).matrix = {{.op = MatrixOp::Translate, .amount = {0.5F, 0, 0}}};

@@ -131,7 +131,7 @@ class Checking(Lessons):
         catalogue(Small="")
         self.says(folder, "ru.po", "expected a translation of \"Small\"")
         catalogue(**{"Two {color}s.": "Zwei."})
-        self.says(folder, "ru.po", "placeholders")
+        self.says(folder, "ru.po", "expected a translation with")
 
     def test_a_broken_scene_is_named_itself(self):
         folder = self.lesson({**STEP, "scene": "scene.json"})
