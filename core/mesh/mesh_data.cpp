@@ -2,6 +2,8 @@
 
 #include "texplorer/mesh/shapes.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
