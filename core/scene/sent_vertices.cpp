@@ -114,6 +114,12 @@ std::vector<std::optional<std::uint32_t>> coordSources(const Model& model, const
     return sources;
 }
 
+std::optional<std::uint32_t> coordSource(const Model& model, const Mesh& mesh, int unit, std::size_t vertex) {
+    if (model.noTexCoord[static_cast<std::size_t>(unit)].empty())
+        return static_cast<std::uint32_t>(vertex);
+    return coordSources(model, mesh, unit)[vertex];
+}
+
 void setLeftOut(Model& model, int unit, std::size_t vertex, bool leftOut) {
     std::vector<int>& numbers = model.noTexCoord[static_cast<std::size_t>(unit)];
     const int number = static_cast<int>(vertex);

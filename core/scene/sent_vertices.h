@@ -31,6 +31,10 @@ struct SentVertex {
 [[nodiscard]] std::vector<std::optional<std::uint32_t>> coordSources(const Model& model, const Mesh& mesh,
                                                                      int unit);
 
+/// That of one vertex.
+[[nodiscard]] std::optional<std::uint32_t> coordSource(const Model& model, const Mesh& mesh, int unit,
+                                                       std::size_t vertex);
+
 /// Leaves out the call of a vertex, or sends it again.
 void setLeftOut(Model& model, int unit, std::size_t vertex, bool leftOut);
 

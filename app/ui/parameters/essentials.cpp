@@ -38,7 +38,7 @@ void vertexNumbers(const Session& session, float width) {
     glm::vec4 value = effectiveTexCoord(*selectedModel(session), mesh, selection.unit, vertex);
     constexpr std::array names{N_("vertex s"), N_("vertex t")};
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const bool isLeftOut = coordSources(*selectedModel(session), mesh, selection.unit)[vertex] != vertex;
+    const bool isLeftOut = coordSource(*selectedModel(session), mesh, selection.unit, vertex) != vertex;
     if (isLeftOut)
         ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * 0.5F);
     for (int i = 0; i < 2; ++i) {

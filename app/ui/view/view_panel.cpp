@@ -157,7 +157,7 @@ void drawMarker(const Session& session, const Layout& layout, const Panes& panes
     if (vertex >= mesh.vertices.size())
         return;
     const int unit = session.look.selection.unit;
-    const std::optional<std::uint32_t> source = coordSources(*model, mesh, unit)[vertex];
+    const std::optional<std::uint32_t> source = coordSource(*model, mesh, unit, vertex);
     const glm::vec4 coord = source ? effectiveTexCoord(*model, mesh, unit, *source) : glm::vec4(0, 0, 0, 1);
     const std::string text = fmt::format("{}   ({:.2f}, {:.2f})", vertex, coord.x, coord.y);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());

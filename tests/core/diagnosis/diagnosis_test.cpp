@@ -32,18 +32,18 @@ TEST_P(Diagnosis, FindsItAndNoLongerOnceItIsMended) {
     ASSERT_NE(found, nullptr);
     EXPECT_EQ(found->severity, row.severity);
     EXPECT_THAT(found->sentence, testing::HasSubstr(row.words));
-    ASSERT_TRUE(row.mend || !found->fixes.empty());
-    if (row.mend) {
-        row.mend(stage);
+    ASSERT_TRUE(row.correct || !found->fixes.empty());
+    if (row.correct) {
+        row.correct(stage);
         EXPECT_EQ(find(stage.findings(), row.rule, row.path), nullptr);
     }
     for (const Fix& fix : found->fixes) {
-        Subject mended = stage;
-        if (row.mend)
-            row.spoil(mended);
-        const Result<void> applied = apply(fix, mended.scene);
+        Subject fixed = stage;
+        if (row.correct)
+            row.spoil(fixed);
+        const Result<void> applied = apply(fix, fixed.scene);
         ASSERT_TRUE(applied) << describe(applied.error());
-        EXPECT_EQ(find(mended.findings(), row.rule, row.path), nullptr) << fix.label;
+        EXPECT_EQ(find(fixed.findings(), row.rule, row.path), nullptr) << fix.label;
     }
 }
 

@@ -58,7 +58,7 @@ struct Mistake {
     const char* path;
     const char* words; ///< part of the sentence
     void (*spoil)(Subject& s);
-    void (*mend)(Subject& s) = nullptr; ///< nullptr: the finding's fixes do
+    void (*correct)(Subject& s) = nullptr; ///< nullptr: the finding's fixes do
 };
 
 void PrintTo(const Mistake& mistake, std::ostream* out);
