@@ -41,7 +41,6 @@ constexpr std::array namedPieces{
     NamedPiece{CFunction::Translation, "translation.c"},
     NamedPiece{CFunction::Rotation, "rotation.c"},
     NamedPiece{CFunction::Scaling, "scaling.c"},
-    NamedPiece{CFunction::About, "about.c"},
     NamedPiece{CFunction::Frustum, "perspective_matrix.c"},
     NamedPiece{CFunction::Orthographic, "orthographic_matrix.c"},
     NamedPiece{CFunction::FloatProduct, "multiply_floats.c"},

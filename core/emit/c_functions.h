@@ -40,7 +40,6 @@ enum class CFunction : std::uint8_t {
     Translation,
     Rotation,
     Scaling,
-    About, ///< what turns or scales moved to a pivot
     Frustum,
     Orthographic,
     FloatProduct,

@@ -214,19 +214,6 @@ std::string inComment(std::string_view words) {
     return text;
 }
 
-std::vector<Part> moving(CodeWriter& writer, const Part& start, const Part& rate, bool moves) {
-    if (!moves)
-        return {start};
-    return {plain("(GLfloat)("), start, plain(" + "), rate, plain(" * "), writer.seconds(), plain(")")};
-}
-
-std::vector<Part> turning(CodeWriter& writer, const Part& start, const Part& rate, bool moves) {
-    if (!moves)
-        return {start};
-    return {plain("(GLfloat)fmod("), start, plain(" + "), rate, plain(" * "), writer.seconds(),
-            plain(", 360.0)")};
-}
-
 std::vector<Line> linesOf(std::string_view text) {
     std::vector<Line> lines;
     while (!text.empty()) {

@@ -177,9 +177,4 @@ private:
 /// Words that stand in a comment: none of them ends it.
 [[nodiscard]] std::string inComment(std::string_view words);
 
-/// "0.5f + 0.1f * seconds", a double, or the first alone where the rate is 0.
-[[nodiscard]] std::vector<Part> moving(CodeWriter& writer, const Part& start, const Part& rate, bool moves);
-/// The same of an angle, without whole turns.
-[[nodiscard]] std::vector<Part> turning(CodeWriter& writer, const Part& start, const Part& rate, bool moves);
-
 } // namespace texplorer::emit

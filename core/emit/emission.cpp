@@ -201,11 +201,6 @@ bool Emission::flipsCoords(std::size_t model, std::size_t unit) const {
     return false;
 }
 
-void Emission::addData(const std::string& type, const std::string& name, std::size_t count,
-                       std::string numbers) {
-    addData(type, name, count, Numbers{[text = std::move(numbers)] { return text; }});
-}
-
 void Emission::addData(const std::string& type, const std::string& name, std::size_t count, Numbers numbers) {
     const std::string declaration = fmt::format("static const {} {}[{}]", type, name, count);
     atStart.add({plain(declaration + "; "), {Part::Kind::Comment, "/* at the end */"}});

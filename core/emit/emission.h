@@ -120,7 +120,6 @@ struct Emission {
     [[nodiscard]] bool flipsCoords(std::size_t model, std::size_t unit) const;
     /// What has many numbers: its name at the start, the numbers at the end of the program.
     void addData(const std::string& type, const std::string& name, std::size_t count, Numbers numbers);
-    void addData(const std::string& type, const std::string& name, std::size_t count, std::string numbers);
     void use(CFunction function) { addWithCallees(functions, function); }
 
 private:
@@ -220,5 +219,9 @@ void writeModelSetup(Emission& emission, std::size_t model);
 void writeModel(Emission& emission, std::size_t pass, std::size_t model);
 /// Its surface alone, on the matrix that there is.
 void writeModelShape(Emission& emission, std::size_t model);
+/// Compiles a display list of it.
+void writeList(Emission& emission, std::size_t model);
+/// What glBegin is given.
+[[nodiscard]] Part primitivePart(const Model& model, std::size_t index);
 
 } // namespace texplorer::emit

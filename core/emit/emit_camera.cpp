@@ -1,6 +1,5 @@
 #include "texplorer/base/sentence_format.h"
-#include "texplorer/emit/emission.h"
-#include "texplorer/emit/glsl_emission.h"
+#include "texplorer/emit/transformations.h"
 #include "texplorer/gl/argument_names.h"
 #include "texplorer/scene/animation.h"
 #include "texplorer/scene/params/keys.h"
@@ -32,12 +31,6 @@ void declareVariable(Emission& emission, MemberId member, std::string_view what,
                           moves ? number(still) : number(std::get<float>(row->read(&view)), path),
                           plain("; "),
                           {Part::Kind::Comment, fmt::format("/* {} */", moves ? beside : what)}});
-}
-
-/// The camera's own calls come in the order in which the matrices are multiplied: what is called last is done
-/// to a vertex first.
-void rotate(CodeWriter& writer, const std::string& angle, std::string_view axis) {
-    writer.add({call("glRotatef"), plain(fmt::format("({}, {});", angle, axis))});
 }
 
 /// What multiplies by the matrix of gluPerspective.
@@ -106,15 +99,7 @@ void writeMatrices(Emission& emission, bool draws) {
     }
     writer.heading("camera");
     MatrixProduct product(emission, "view", true);
-    product.addTranslation({plain(fmt::format("0, 0, -{}", distance))});
-    if (view.roll != 0 || writer.moves(pathOf<&Scene::view, &View::roll>()))
-        product.addRotation({number(view.roll, pathOf<&Scene::view, &View::roll>())}, {plain("0, 0, 1")});
-    product.addRotation({plain(cameraVariable(emission, memberId<&View::elevation>))}, {plain("1, 0, 0")});
-    product.addRotation({plain("-" + cameraVariable(emission, memberId<&View::azimuth>))},
-                        {plain("0, 1, 0")});
-    if (view.target != glm::vec3(0) || writer.moves(pathOf<&Scene::view, &View::target>()))
-        product.addTranslation(
-            numbers({&view.target.x, 3}, pathOf<&Scene::view, &View::target>(), Literal::Float, true));
+    addView(emission, product);
     product.finish();
 }
 
@@ -168,19 +153,8 @@ std::string cameraVariable(Emission& emission, MemberId member) {
 }
 
 void writeCamera(Emission& emission) {
-    CodeWriter& writer = emission.writer;
-    const View& view = emission.scene.view;
-    const Holder holder = viewHolder(emission.scene);
-    writer.add(
-        fmt::format("glTranslatef(0.0f, 0.0f, -{});", cameraVariable(emission, memberId<&View::distance>)));
-    if (view.roll != 0 || writer.moves(pathOf<&Scene::view, &View::roll>()))
-        writer.add(callWith("glRotatef", {number(view.roll, pathOf<&Scene::view, &View::roll>()),
-                                          plain(", 0.0f, 0.0f, 1.0f")}));
-    rotate(writer, cameraVariable(emission, memberId<&View::elevation>), "1.0f, 0.0f, 0.0f");
-    rotate(writer, "-" + cameraVariable(emission, memberId<&View::azimuth>), "0.0f, 1.0f, 0.0f");
-    writer.add(callWith("glTranslatef", numbers({&view.target.x, 3}, pathOf<&Scene::view, &View::target>(),
-                                                Literal::Float, true)),
-               view.target != glm::vec3(0));
+    MatrixCalls calls(emission);
+    addView(emission, calls);
 }
 
 std::vector<std::string> lightPaths() {

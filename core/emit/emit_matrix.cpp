@@ -1,129 +1,18 @@
 // Texture matrices, by OpenGL 2.1's calls: a stack for each unit.
 
-#include "texplorer/emit/emission.h"
+#include "texplorer/emit/transformations.h"
 #include "texplorer/gl/argument_names.h"
 #include "texplorer/scene/animation.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <utility>
 
 namespace texplorer::emit {
 namespace {
-
-/// The three numbers of a vector that changes with time, "1.0f, 0.0f + 0.5f * seconds, 0.0f".
-std::vector<Part> movingNumbers(CodeWriter& writer, const glm::vec3& start, const glm::vec3& rate,
-                                const std::string& startPath, const std::string& ratePath) {
-    std::vector<Part> parts;
-    const bool moves = writer.moves(ratePath);
-    for (int i = 0; i < 3; ++i) {
-        if (i > 0)
-            parts.push_back(plain(", "));
-        append(parts, moving(writer, number(start[i], startPath, i), number(rate[i], ratePath, i),
-                             moves || rate[i] != 0));
-    }
-    return parts;
-}
-
-/// The calls of one step of a texture matrix.
-class StepWriter {
-public:
-    /// `variable`: what names of arrays begin with; `multiplies`: also a step that loads a matrix.
-    StepWriter(Emission& emission, const PlacedStep& placed, std::size_t unit, std::string variable,
-               bool multiplies)
-        : emission_(emission)
-        , writer_(emission.writer)
-        , step_(*placed.step)
-        , path_(stepPath(placed, unit))
-        , variable_(std::move(variable))
-        , multiplies_(multiplies) {}
-
-    void write() {
-        const bool pivots = (step_.op == MatrixOp::Rotate || step_.op == MatrixOp::Scale) &&
-                            (step_.pivot != glm::vec3(0) || writer_.moves(own(keyOf<&MatrixStep::pivot>())));
-        if (pivots)
-            move(false);
-        const std::string angle = own(keyOf<&MatrixStep::angle>());
-        switch (step_.op) {
-        case MatrixOp::Translate:
-            writer_.add(callWith("glTranslatef", amount()));
-            break;
-        case MatrixOp::Rotate: {
-            if (step_.rate == glm::vec3(0) && step_.amount == glm::vec3(0) &&
-                !writer_.moves(own(keyOf<&MatrixStep::rate>())) &&
-                !writer_.moves(own(keyOf<&MatrixStep::amount>())))
-                break; // no axis: OpenGL leaves it undefined
-            const std::string rate = own(keyOf<&MatrixStep::angleRate>());
-            std::vector<Part> arguments =
-                turning(writer_, number(step_.angle, angle), number(step_.angleRate, rate),
-                        step_.angleRate != 0 || writer_.moves(rate));
-            arguments.push_back(plain(", "));
-            append(arguments, amount());
-            writer_.add(callWith("glRotatef", std::move(arguments)),
-                        step_.angle != 0 || step_.angleRate != 0);
-            break;
-        }
-        case MatrixOp::Scale:
-            writer_.add(callWith("glScalef", amount()));
-            break;
-        case MatrixOp::Multiply:
-            matrix("glMultMatrixf", step_.matrix, own(keyOf<&MatrixStep::matrix>()));
-            break;
-        case MatrixOp::Load:
-            matrix(multiplies_ ? "glMultMatrixf" : "glLoadMatrixf", step_.matrix,
-                   own(keyOf<&MatrixStep::matrix>()));
-            break;
-        case MatrixOp::Projector:
-            lightView();
-            break;
-        }
-        if (pivots)
-            move(true);
-    }
-
-private:
-    [[nodiscard]] std::string own(std::string_view key) const { return fmt::format("{}.{}", path_, key); }
-
-    [[nodiscard]] std::vector<Part> amount() const {
-        return movingNumbers(writer_, step_.amount, step_.rate, own(keyOf<&MatrixStep::amount>()),
-                             own(keyOf<&MatrixStep::rate>()));
-    }
-
-    void move(bool back) {
-        writer_.add(callWith("glTranslatef", numbers({&step_.pivot.x, 3}, own(keyOf<&MatrixStep::pivot>()),
-                                                     Literal::Float, back)));
-    }
-
-    void matrix(std::string_view name, const glm::mat4& values, const std::string& path) {
-        const bool moves = writer_.moves(path); // then a variable has all of it
-        if (!moves)
-            writer_.floats(variable_, numbers({glm::value_ptr(values), 16}, path));
-        writer_.add({call(name),
-                     plain("("),
-                     {Part::Kind::Plain, variable_, moves ? path : std::string()},
-                     plain(");")});
-    }
-
-    /// From eye coordinates to the light's picture: as a camera in its place would be set up, and then from
-    /// -1 to 1 to 0 to 1.
-    void lightView() {
-        writer_.add("glTranslatef(0.5f, 0.5f, 0.5f);");
-        writer_.add("glScalef(0.5f, 0.5f, 0.5f);");
-        writeLightProjection(emission_);
-        writeLightView(emission_, variable_);
-    }
-
-    Emission& emission_;
-    CodeWriter& writer_;
-    const MatrixStep& step_;
-    std::string path_;
-    std::string variable_;
-    bool multiplies_;
-};
 
 bool flips(const Emission& emission, std::size_t pass, std::size_t unit) {
     return emission.lateFlips[pass][unit] == LateFlip::Matrix;
@@ -158,7 +47,9 @@ public:
             const bool keepsFlip = flips_ && steps[i].step->op == MatrixOp::Load;
             if (keepsFlip && !std::exchange(isNew, false))
                 loadStart(emission_.writer, true);
-            StepWriter(emission_, steps[i], unit_, variableOf(steps[i], i), keepsFlip).write();
+            MatrixCalls calls(emission_);
+            addStep(emission_, calls, steps[i], unit_, variableOf(steps[i], i),
+                    steps[i].step->op == MatrixOp::Load && !keepsFlip);
         }
     }
 

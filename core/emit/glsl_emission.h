@@ -83,31 +83,4 @@ void writeGlslShadowCalls(GlslEmission& glsl);
 /// The surface of a model alone, for the light.
 void writeGlslShape(GlslEmission& glsl, std::size_t model);
 
-/// Terms of a product of matrices: the first one makes the variable.
-class MatrixProduct {
-public:
-    /// "Matrix unit0Matrix = "
-    MatrixProduct(Emission& emission, std::string variable, bool declares)
-        : emission_(emission)
-        , variable_(std::move(variable))
-        , declares_(declares) {}
-
-    /// "translation(…)", "rotation(…)"; about a point where that isn't the origin.
-    void add(std::vector<Part> term);
-    void addTranslation(std::vector<Part> offset);
-    void addRotation(std::vector<Part> angle, std::vector<Part> axis, const std::vector<Part>& pivot = {});
-    void addScaling(std::vector<Part> factors, const std::vector<Part>& pivot = {});
-    /// Where there was no term, it is the identity.
-    void finish();
-    [[nodiscard]] bool isEmpty() const { return isEmpty_; }
-
-private:
-    void addAbout(std::vector<Part> term, const std::vector<Part>& pivot);
-
-    Emission& emission_;
-    std::string variable_;
-    bool declares_;
-    bool isEmpty_ = true;
-};
-
 } // namespace texplorer::emit

@@ -1,16 +1,12 @@
 // Models in vertex buffers: OpenGL 3.3, core profile.
 
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/emit/glsl_emission.h"
+#include "texplorer/emit/model_arrays.h"
+#include "texplorer/emit/transformations.h"
 #include "texplorer/gl/argument_names.h"
 #include "texplorer/glsl/vertex_attributes.h"
-#include "texplorer/scene/animation.h"
-#include "texplorer/scene/drawn_models.h"
-#include "texplorer/scene/emboss.h"
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/keys.h"
-#include "texplorer/scene/sent_vertices.h"
-#include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
 
@@ -18,14 +14,6 @@
 
 namespace texplorer::emit {
 namespace {
-
-/// "{1.0f, 0.0f}"
-std::vector<Part> braced(std::span<const float> values) {
-    std::vector<Part> parts{plain("{")};
-    append(parts, numbers(values));
-    parts.push_back(plain("}"));
-    return parts;
-}
 
 std::string_view drawnPrimitive(const Mesh& mesh) {
     return rowOf(!mesh.triangles.empty() ? Primitive::Triangles
@@ -48,20 +36,15 @@ public:
         , emission_(glsl.emission)
         , writer_(glsl.emission.writer)
         , model_(glsl.emission.scene.models[index])
-        , sent_(model_)
+        , arrays_(glsl.emission, index)
         , index_(index)
-        , path_(elementOf<&Scene::models>(index))
-        , variable_(fmt::format("model{}", index))
-        , isShape_(isTurned(sent_->shape) && !isEmbossed())
-        , hasNormals_(looksAtNormals(glsl)) {
-        mesh_ = meshOf(*sent_);
-        isSmall_ = mesh_.vertices.size() <= maxWrittenVertices &&
-                   drawnIndices(mesh_).size() <= 3 * maxWrittenVertices;
-    }
+        , variable_(arrays_.variable())
+        , isShape_(isTurned(arrays_.model().shape) && !isEmbossed())
+        , hasNormals_(looksAtNormals(glsl)) {}
 
     /// Whether a pass draws it.
     [[nodiscard]] bool isDrawn() const {
-        return !drawnIndices(mesh_).empty() &&
+        return !drawnIndices(arrays_.mesh()).empty() &&
                std::ranges::any_of(glsl_.arrays,
                                    [&](const VertexArray& array) { return array.model == index_; });
     }
@@ -75,10 +58,10 @@ public:
         if (isShape_) {
             emission_.atStart.add(fmt::format("static GLsizei {}Count; /* of its indices */", variable_));
             emission_.use(CFunction::MeshTypes);
-        } else
+        } else {
             declareVertices();
-        if (!isShape_)
-            declareIndices();
+            arrays_.writeIndices(drawnIndices(arrays_.mesh()));
+        }
         for (std::size_t unit = 0; unit < maxUnits; ++unit) {
             for (const CoordForm form : {CoordForm::AsGiven, CoordForm::Flipped, CoordForm::Embossed}) {
                 if (hasForm(unit, form))
@@ -146,12 +129,11 @@ public:
 
 private:
     void drawElements() {
-        writer_.add(fmt::format("glDrawElements({}, {}, {}, NULL);", drawnPrimitive(mesh_),
-                                isShape_ ? variable_ + "Count" : std::to_string(drawnIndices(mesh_).size()),
-                                unsignedIntType));
+        writer_.add(
+            fmt::format("glDrawElements({}, {}, {}, NULL);", drawnPrimitive(arrays_.mesh()),
+                        isShape_ ? variable_ + "Count" : std::to_string(drawnIndices(arrays_.mesh()).size()),
+                        unsignedIntType));
     }
-
-    [[nodiscard]] std::string own(std::string_view key) const { return fmt::format("{}.{}", path_, key); }
 
     [[nodiscard]] bool hasForm(std::size_t unit, CoordForm form) const {
         return std::ranges::any_of(glsl_.arrays, [&](const VertexArray& array) {
@@ -164,143 +146,33 @@ private:
                    std::ranges::find(array.coords, CoordForm::Embossed) != array.coords.end();
         });
     }
-    [[nodiscard]] bool isColored() const { return mesh_.colored; }
     /// Whether an array of its own has the coordinates; else they are the shape's.
     [[nodiscard]] bool hasOwnCoords(std::size_t unit, CoordForm form) const {
-        return form == CoordForm::Flipped || !sent_->texCoords[unit].empty();
+        return form == CoordForm::Flipped || !arrays_.model().texCoords[unit].empty();
     }
 
     void declareVertices() {
-        writer_.heading(fmt::format("model {}: {}", index_, nameOf(model_)));
-        if (leavesOutCalls(model_))
-            writer_.comment("a vertex without glTexCoord has the coordinates of the one before it");
+        arrays_.writeHeading();
         if (isEmbossed()) {
-            table("Positions", 3,
-                  [](const Vertex& vertex, std::size_t) { return glm::vec4(vertex.position, 0); });
+            arrays_.writePositions();
             if (hasNormals_)
-                table("Normals", 3,
-                      [](const Vertex& vertex, std::size_t) { return glm::vec4(vertex.normal, 0); });
+                arrays_.writeNormals();
         } else
-            declareStructs();
-        if (isColored())
-            table("Colors", 4, [](const Vertex& vertex, std::size_t) { return vertex.color; });
-    }
-
-    /// "{{-1.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 1.0f}, {0.0f, 1.0f, 0.0f, 1.0f}},"
-    static std::vector<Part> rowOfVertex(const Vertex& vertex) {
-        std::vector<Part> parts{plain("{")};
-        append(parts, braced({&vertex.position.x, 3}));
-        parts.push_back(plain(", "));
-        append(parts, braced({&vertex.normal.x, 3}));
-        parts.push_back(plain(", "));
-        append(parts, braced({&vertex.texCoord.x, 4}));
-        parts.push_back(plain("},"));
-        return parts;
-    }
-
-    void declareStructs() {
-        emission_.use(CFunction::MeshTypes);
-        if (!isSmall_) {
-            std::string text;
-            for (const Vertex& vertex : mesh_.vertices)
-                text += "    " + textOf(Line{rowOfVertex(vertex)}) + "\n";
-            return emission_.addData("Vertex", variable_ + "Vertices", mesh_.vertices.size(),
-                                     std::move(text));
-        }
-        writer_.add({plain(fmt::format("static const Vertex {}Vertices[] = {{ ", variable_)),
-                     {Part::Kind::Comment, "/* position, normal, texture coordinates */"}});
-        writer_.indent();
-        for (const Vertex& vertex : mesh_.vertices)
-            writer_.add(rowOfVertex(vertex));
-        writer_.outdent();
-        writer_.add("};");
-    }
-
-    /// An array with a row for each vertex.
-    template<class Get>
-    void table(const std::string& name, int count, Get get, const std::string& path = {}) {
-        std::string text;
-        if (isSmall_) {
-            writer_.add(fmt::format("static const GLfloat {}{}[] = {{", variable_, name));
-            writer_.indent();
-        }
-        for (std::size_t i = 0; i < mesh_.vertices.size(); ++i) {
-            const glm::vec4 values = get(mesh_.vertices[i], i);
-            std::vector<Part> parts = numbers({&values.x, static_cast<std::size_t>(count)},
-                                              path.empty() ? path : fmt::format("{}[{}]", path, i));
-            parts.push_back(plain(","));
-            if (isSmall_)
-                writer_.add(std::move(parts));
-            else
-                text += "    " + textOf(Line{parts}) + "\n";
-        }
-        if (!isSmall_)
-            return emission_.addData("GLfloat", variable_ + name,
-                                     mesh_.vertices.size() * static_cast<std::size_t>(count),
-                                     std::move(text));
-        writer_.outdent();
-        writer_.add("};");
+            arrays_.writeVertices();
+        if (arrays_.isColored())
+            arrays_.writeColors();
     }
 
     void declareCoords(std::size_t unit, CoordForm form) {
-        TexCoords coords = effectiveTexCoords(*sent_, mesh_, static_cast<int>(unit));
         if (form == CoordForm::Embossed) {
-            table(coordsName(unit, form), 4, [&](const Vertex&, std::size_t i) { return coords[i]; });
-            std::vector<glm::vec4> all;
-            for (const Tangents& each : tangentsOf(mesh_, coords))
-                all.insert(all.end(), {glm::vec4(each.s, 0), glm::vec4(each.t, 0)});
-            std::string text;
-            for (std::size_t i = 0; i < all.size(); ++i)
-                text += fmt::format("{}{},{}", i % 2 == 0 ? "    " : " ",
-                                    textOf(Line{numbers({&all[i].x, 3})}), i % 2 == 0 ? "" : "\n");
-            emission_.addData("GLfloat", fmt::format("{}Tangents{}", variable_, unit), 3 * all.size(),
-                              std::move(text));
-            emission_.atStart.add({plain(fmt::format("static GLfloat {}Embossed{}[{}]; ", variable_, unit,
-                                                     4 * mesh_.vertices.size())),
-                                   {Part::Kind::Comment, "/* in every frame moved towards the light */"}});
+            arrays_.writeEmbossing(unit);
             emission_.atStart.add(fmt::format("static GLuint {}EmbossedBuffer{};", variable_, unit));
-            emission_.use(CFunction::LightInModel);
-            emission_.use(CFunction::Emboss);
-            return;
-        }
-        if (form == CoordForm::Flipped) {
-            for (glm::vec4& coord : coords)
-                coord.t = coord.q - coord.t;
-        }
-        if (hasOwnCoords(unit, form) || isEmbossed())
-            table(
-                coordsName(unit, form), 4, [&](const Vertex&, std::size_t i) { return coords[i]; },
-                form == CoordForm::Flipped || leavesOutCalls(model_)
-                    ? std::string()
-                    : own(findKey(memberId<&Model::texCoords>, unit)));
+        } else if (hasOwnCoords(unit, form) || isEmbossed())
+            arrays_.writeCoords(coordsName(unit, form), unit, form == CoordForm::Flipped);
     }
 
     static std::string coordsName(std::size_t unit, CoordForm form) {
-        return fmt::format("{}TexCoords{}",
-                           form == CoordForm::Flipped    ? "Flipped"
-                           : form == CoordForm::Embossed ? "Given"
-                                                         : "",
-                           unit);
-    }
-
-    void declareIndices() {
-        std::string text;
-        const std::vector<std::uint32_t>& indices = drawnIndices(mesh_);
-        constexpr std::size_t columns = 18;
-        for (std::size_t i = 0; i < indices.size(); ++i)
-            text += fmt::format("{}{},{}", i % columns == 0 ? "    " : " ", indices[i],
-                                i % columns == columns - 1 || i + 1 == indices.size() ? "\n" : "");
-        if (!isSmall_)
-            return emission_.addData("GLuint", variable_ + "Indices", indices.size(), std::move(text));
-        writer_.add(fmt::format("static const GLuint {}Indices[] = {{", variable_));
-        writer_.indent();
-        for (std::size_t at = 0; at < text.size();) {
-            const std::size_t end = text.find('\n', at);
-            writer_.add(text.substr(at + 4, end - at - 4));
-            at = end + 1;
-        }
-        writer_.outdent();
-        writer_.add("};");
+        return fmt::format("{}TexCoords{}", form == CoordForm::Flipped ? "Flipped" : "", unit);
     }
 
     void fill(std::string_view target, const std::string& array, bool isMade = false) {
@@ -340,7 +212,7 @@ private:
                               "offsetof(Vertex, texCoord)", unitWords(unit));
             }
         }
-        if (isColored()) {
+        if (arrays_.isColored()) {
             fill(arrayBuffer, "Colors");
             attribute(glsl::colorAttribute, 4, "0", "0", "colour");
         }
@@ -351,14 +223,18 @@ private:
                 continue;
             if (form == CoordForm::Embossed && embossed_.insert(unit).second)
                 writer_.add(fmt::format(
-                    "{0}EmbossedBuffer{1} = newBuffer(GL_ARRAY_BUFFER, sizeof {0}Embossed{1}, NULL);",
+                    "{0}EmbossedBuffer{1} = newBuffer(GL_ARRAY_BUFFER, sizeof {0}EmbossedTexCoords{1}, NULL);",
                     variable_, unit));
             else if (form == CoordForm::Embossed)
                 writer_.add(
                     fmt::format("glBindBuffer(GL_ARRAY_BUFFER, {}EmbossedBuffer{});", variable_, unit));
             else
                 fill(arrayBuffer, coordsName(unit, form));
-            attribute(glsl::firstCoordAttribute + static_cast<unsigned>(unit), 4, "0", "0", unitWords(unit));
+            const int columns = form == CoordForm::Embossed
+                                    ? 4
+                                    : arrays_.columns(arrays_.coords(unit, form == CoordForm::Flipped));
+            attribute(glsl::firstCoordAttribute + static_cast<unsigned>(unit), columns, "0", "0",
+                      unitWords(unit));
         }
         fill(elementArrayBuffer, isShape_ ? "indices" : "Indices", isShape_);
     }
@@ -366,25 +242,7 @@ private:
     /// Whether it isn't where the camera looks, as it is.
     bool place() {
         MatrixProduct product(emission_, "model", !glsl_.hasModelMatrix);
-        if (model_.position != glm::vec3(0) || writer_.moves(own(keyOf<&Model::position>())))
-            product.addTranslation(numbers({&model_.position.x, 3}, own(keyOf<&Model::position>())));
-        constexpr std::array axes{"1, 0, 0", "0, 1, 0", "0, 0, 1"};
-        for (const int axis : rotationAxes(model_.rotationOrder)) {
-            const bool spins = model_.spin[axis] != 0 || writer_.moves(own(keyOf<&Model::spin>()));
-            if (!spins && model_.rotation[axis] == 0 && !writer_.moves(own(keyOf<&Model::rotation>())))
-                continue;
-            std::vector<Part> angle{number(model_.rotation[axis], own(keyOf<&Model::rotation>()), axis)};
-            if (spins)
-                append(angle, {plain(" + "), number(model_.spin[axis], own(keyOf<&Model::spin>()), axis),
-                               plain(" * "), writer_.seconds()});
-            product.addRotation(std::move(angle), {plain(axes.at(static_cast<std::size_t>(axis)))});
-        }
-        if (model_.size != 1 || writer_.moves(own(keyOf<&Model::size>()))) {
-            const Part size = number(model_.size, own(keyOf<&Model::size>()));
-            product.addScaling({size, plain(", "), size, plain(", "), size});
-        }
-        if (model_.scale != glm::vec3(1) || writer_.moves(own(keyOf<&Model::scale>())))
-            product.addScaling(numbers({&model_.scale.x, 3}, own(keyOf<&Model::scale>())));
+        addPlacement(emission_, product, index_);
         const bool isPlaced = !product.isEmpty();
         if (model_.attachment == Attachment::Eye)
             product.finish();
@@ -395,7 +253,8 @@ private:
     /// Of lines and points: always, where any model has another.
     void writeSize() {
         static const Model initial;
-        const Holder holder{modelTable(), &model_, &initial, path_, "model", variable_};
+        const Holder holder{modelTable(), &model_,  &initial, elementOf<&Scene::models>(index_),
+                            "model",      variable_};
         const int corners = partCorners(model_);
         if (corners == 3)
             return;
@@ -412,25 +271,14 @@ private:
     }
 
     void moveCoords(const GlslPass& pass, std::size_t unit, const std::string& modelView) {
-        const Emboss& settings = emission_.scene.passes[pass.index].units[unit].emboss;
-        const glm::vec4& light = emission_.scene.light.position;
-        const std::string name = joined(pass.variable, fmt::format("model{}Light{}", index_, unit));
-        writer_.add(fmt::format("GLfloat {}[4];", name));
-        std::vector<Part> parts{plain(fmt::format("lightInModel({}.at, (const GLfloat[]){{", modelView))};
-        append(parts, numbers({&light.x, 4}, pathOf<&Scene::light, &Light::position>()));
-        parts.push_back(
-            plain(fmt::format("}}, {}, {});", settings.carrier == LightCarrier::Transpose ? 1 : 0, name)));
-        writer_.add(std::move(parts));
-        std::vector<Part> moved{
-            plain(fmt::format("emboss({0}, {1}Positions, {1}GivenTexCoords{2}, {1}Tangents{2}, {3}, ",
-                              mesh_.vertices.size(), variable_, unit, name))};
-        moved.push_back(number(
-            settings.depth, unitPath(pass.index, unit, {keyOf<&Unit::emboss>(), keyOf<&Emboss::depth>()})));
-        moved.push_back(plain(fmt::format(", {}Embossed{});", variable_, unit)));
-        writer_.add(std::move(moved));
+        writer_.add("{");
+        writer_.indent();
+        arrays_.writeEmboss(pass.index, unit, modelView + ".at");
+        writer_.outdent();
+        writer_.add("}");
         writer_.add(fmt::format("glBindBuffer(GL_ARRAY_BUFFER, {}EmbossedBuffer{});", variable_, unit));
-        writer_.add(fmt::format("glBufferData(GL_ARRAY_BUFFER, sizeof {0}Embossed{1}, {0}Embossed{1}, "
-                                "GL_STREAM_DRAW);",
+        writer_.add(fmt::format("glBufferData(GL_ARRAY_BUFFER, sizeof {0}EmbossedTexCoords{1}, "
+                                "{0}EmbossedTexCoords{1}, GL_STREAM_DRAW);",
                                 variable_, unit));
     }
 
@@ -438,14 +286,11 @@ private:
     Emission& emission_;
     CodeWriter& writer_;
     const Model& model_;
-    SentModel sent_; ///< its vertices, one for each that is sent
+    ModelArrays arrays_;
     std::size_t index_;
-    std::string path_;
     std::string variable_;
     bool isShape_; ///< a function makes its mesh
     bool hasNormals_;
-    bool isSmall_ = false; ///< its numbers stand where they are used
-    Mesh mesh_;
     std::set<std::size_t> embossed_{}; ///< units whose buffer there is: vertex array objects share it
 };
 

@@ -179,7 +179,7 @@ TEST(Vertices, NameTheirParameters) {
     }
     EXPECT_THAT(paths, ElementsAre("models[0].mesh.normals[0] 0.0f", "models[0].mesh.positions[0] 0.0f",
                                    "models[0].mesh.normals[1] 0.3f", "models[0].mesh.positions[1] 1.0f",
-                                   "models[0].mesh.positions[2] 0.0f"));
+                                   "models[0].mesh.normals[2] 0.0f", "models[0].mesh.positions[2] 0.0f"));
 }
 
 TEST(Loaders, LoadBeforeTheFirstCall) {

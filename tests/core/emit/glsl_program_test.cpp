@@ -131,7 +131,7 @@ TEST(GlslProgram, IsGivenTheSecondsWhereSomethingMoves) {
     EXPECT_THAT(textOf(scene), AllOf(HasSubstr("draw(width, height);"), HasSubstr("glfwWaitEvents();")));
     scene.models[0].spin.y = 30;
     EXPECT_THAT(textOf(scene), AllOf(HasSubstr("draw(width, height, glfwGetTime());"),
-                                     HasSubstr(" + 30.0f * seconds, 0, 1, 0)")));
+                                     HasSubstr(" + 30.0f * seconds, 0.0f, 1.0f, 0.0f)")));
 }
 
 TEST(GlslProgram, EachPassHasItsOwnProgram) {

@@ -187,6 +187,21 @@ class Programs:
                     self.assertEqual(len(re.findall(r"gl(?:Multi)?TexCoord\df\(", program)), calls if drawn else 0)
                     self.assertEqual("a vertex without glTexCoord has the coordinates of the one before it" in program, not drawn)
 
+    def test_sends_normals_of_any_length(self):
+        """No light falls on a vertex whose normal is 0."""
+        quad = {"primitive": "GL_QUADS", "positions": [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], "normals": [[0, 0, 0], [0, 0, 5], [3, 0, 3], [0, 0, 0.1]]}
+        with tempfile.TemporaryDirectory() as folder:
+            cases = []
+            for name, more in (("list", {}), ("arrays", {"indices": [0, 1, 2, 3]})):
+                scene = Path(folder) / f"scene-{name}.json"
+                scene.write_text(json.dumps({"version": 1, "view": {"distance": 4}, "models": [{"shape": "mesh", "mesh": {**quad, **more}}],
+                                             "passes": [{"lighting": True}]}))
+                cases.append(Case(name, (str(scene),), Path(folder) / f"{name}.json"))
+                written(TEXSHOT, cases[-1])
+            for case, verdict in zip(cases, Proof(TEXSHOT, self.FLAVOUR, self.capture, Path(KEEP) / "normals").of_all(cases)):
+                with self.subTest(case.name):
+                    self.assertEqual((verdict.wrong, verdict.refused), ("", ""))
+
     def test_another_scene_differs(self):
         class OfAnotherScene(Proof):
             def emit(self, case, file):
