@@ -63,7 +63,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Table{"MagFilter", EnumTable<MagFilter>::rows}, Table{"MinFilter", EnumTable<MinFilter>::rows},
         Table{"Wrap", EnumTable<Wrap>::rows}, Table{"Target", EnumTable<Target>::rows},
-        Table{"CubeFace", EnumTable<CubeFace>::rows}, Table{"EnvMode", EnumTable<EnvMode>::rows},
+        Table{"CubeFace", EnumTable<CubeFace>::rows},
+        Table{"TransferFormat", EnumTable<TransferFormat>::rows},
+        Table{"TransferType", EnumTable<TransferType>::rows}, Table{"EnvMode", EnumTable<EnvMode>::rows},
         Table{"BaseFormat", EnumTable<BaseFormat>::rows}, Table{"CombineRgb", EnumTable<CombineRgb>::rows},
         Table{"CombineAlpha", EnumTable<CombineAlpha>::rows},
         Table{"CombineSource", EnumTable<CombineSource>::rows},
