@@ -55,6 +55,46 @@ GLenum pixelType(PixelFormat format) {
     return format == PixelFormat::Depth32 ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE;
 }
 
+/// What glTexImage is given of an image. The driver reads the memory of a custom upload itself.
+struct Given {
+    GLenum format;
+    GLenum type;
+    const std::byte* pixels;
+};
+
+Given givenOf(const Image& image) {
+    return {pixelFormat(image.format), pixelType(image.format), image.pixels.data()};
+}
+
+Given givenOf(const Image& image, const UploadCall& call, const Bytes& memory) {
+    // In place of GL_UNPACK_SKIP_ROWS and GL_UNPACK_SKIP_PIXELS: Mesa 22.3 skips wrongly when it swaps bytes
+    // or scales as well.
+    const ByteRange first = bytesOf(call, {image.width, image.height, image.depth}, 0, 0);
+    return {static_cast<GLenum>(call.layout.format), static_cast<GLenum>(call.layout.type),
+            memory.data() + first.first};
+}
+
+/// glPixelStore and glPixelTransfer as a custom upload wants them, set back at the end.
+class PixelState {
+public:
+    explicit PixelState(const UploadCall& call) { set(call); }
+    PixelState(const PixelState&) = delete;
+    PixelState& operator=(const PixelState&) = delete;
+    ~PixelState() { set({.unpacking = {.alignment = 1}}); }
+
+private:
+    static void set(const UploadCall& call) {
+        constexpr std::array<GLenum, 4> scales{GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE};
+        constexpr std::array<GLenum, 4> biases{GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS};
+        glPixelStorei(GL_UNPACK_ALIGNMENT, effectiveAlignment(call.unpacking.alignment));
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, call.unpacking.rowLength);
+        for (std::size_t i = 0; i < scales.size(); ++i) {
+            glPixelTransferf(scales.at(i), call.scale[static_cast<int>(i)]);
+            glPixelTransferf(biases.at(i), call.bias[static_cast<int>(i)]);
+        }
+    }
+};
+
 /// How much slower the driver compresses than it copies.
 constexpr std::size_t driverSlowness = 8;
 
@@ -64,40 +104,49 @@ GLenum imageTarget(Target target, int face) {
                                                          : static_cast<std::uint32_t>(target));
 }
 
-/// Returns the name of the call, for messages. Without `pixels` the level is allocated, but not filled.
+/// Returns the name of the call, for messages. Without pixels the level is allocated, but not filled.
 const char* uploadImage(Target target, const TextureLevel& level, GLint stored, int border,
-                        const std::byte* pixels) {
+                        const Given& given) {
     const Image& image = std::get<Image>(*level.surface);
-    const GLenum given = pixelFormat(image.format);
-    const GLenum type = pixelType(image.format);
+    const auto& [format, type, pixels] = given;
     const GLenum aim = imageTarget(target, level.face);
     switch (axesOf(target)) {
     case 1:
-        glTexImage1D(aim, level.number, stored, image.width, border, given, type, pixels);
+        glTexImage1D(aim, level.number, stored, image.width, border, format, type, pixels);
         return "glTexImage1D";
     case 2:
-        glTexImage2D(aim, level.number, stored, image.width, image.height, border, given, type, pixels);
+        glTexImage2D(aim, level.number, stored, image.width, image.height, border, format, type, pixels);
         return "glTexImage2D";
     default:
-        glTexImage3D(aim, level.number, stored, image.width, image.height, image.depth, border, given, type,
+        glTexImage3D(aim, level.number, stored, image.width, image.height, image.depth, border, format, type,
                      pixels);
         return "glTexImage3D";
     }
 }
 
+const char* uploadMemory(Target target, const TextureLevel& level, GLint stored, int border,
+                         const UploadCall& call) {
+    const auto& image = std::get<Image>(*level.surface);
+    const PixelState state(call);
+    if (!call.unpacking.swapBytes)
+        return uploadImage(target, level, stored, border, givenOf(image, call, *level.memory));
+    // In place of GL_UNPACK_SWAP_BYTES, with which Mesa 22.3 ignores the row length and writes out of bounds.
+    const Bytes swapped = withSwappedBytes(*level.memory, call.layout.type);
+    return uploadImage(target, level, stored, border, givenOf(image, call, swapped));
+}
+
 /// Uploads some rows of a picture, or slices of a volume.
 const char* uploadRows(Target target, const TextureLevel& level, int first, int count) {
     const Image& image = std::get<Image>(*level.surface);
-    const GLenum given = pixelFormat(image.format);
-    const GLenum type = pixelType(image.format);
+    const auto& [format, type, pixels] = givenOf(image);
     const GLenum aim = imageTarget(target, level.face);
     if (target == Target::Texture3D) {
-        glTexSubImage3D(aim, level.number, 0, 0, first, image.width, image.height, count, given, type,
-                        image.pixels.data() + image.offset(0, 0, first));
+        glTexSubImage3D(aim, level.number, 0, 0, first, image.width, image.height, count, format, type,
+                        pixels + image.offset(0, 0, first));
         return "glTexSubImage3D";
     }
-    glTexSubImage2D(aim, level.number, 0, first, image.width, count, given, type,
-                    image.pixels.data() + image.offset(0, first, 0));
+    glTexSubImage2D(aim, level.number, 0, first, image.width, count, format, type,
+                    pixels + image.offset(0, first, 0));
     return "glTexSubImage2D";
 }
 
@@ -208,15 +257,20 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
         const std::size_t all = byteCount(level.surface);
         const char* call = nullptr;
         // If the driver has removed a border, the rows have moved.
-        const bool whole = rows == 1 || levels.border != 0;
+        const bool readsMemory = image && level.memory && levels.call;
+        const bool whole = rows == 1 || levels.border != 0 || readsMemory;
         if (cursor.row == 0 && (all <= left || whole)) {
-            call = image ? uploadImage(target, level, stored, levels.border, image->pixels.data())
-                         : uploadBlocks(target, level);
+            if (readsMemory) {
+                call = uploadMemory(target, level, stored, levels.border, *levels.call);
+            } else
+                call = image ? uploadImage(target, level, stored, levels.border, givenOf(*image))
+                             : uploadBlocks(target, level);
             left -= std::min(left, all);
             ++cursor.level;
         } else {
             if (cursor.row == 0)
-                uploadImage(target, level, stored, 0, nullptr);
+                uploadImage(target, level, stored, 0,
+                            {pixelFormat(image->format), pixelType(image->format), nullptr});
             const std::size_t perRow = std::max<std::size_t>(1, all / static_cast<std::size_t>(rows));
             // At least four rows and a multiple of four: blocks cannot be uploaded in part.
             const int fitting = static_cast<int>(std::min<std::size_t>(left / perRow, 1U << 20)) / 4 * 4;
@@ -235,7 +289,8 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
     const bool isWhole = cursor.level == levels.levels.size();
     if (isWhole && driverMakes) {
         glGenerateMipmap(target_);
-        errors.check(Sentence("{0}: {1}", ProperName{where}, ProperName{rowOf(MipPolicy::GenerateMipmap).name}));
+        errors.check(
+            Sentence("{0}: {1}", ProperName{where}, ProperName{rowOf(MipPolicy::GenerateMipmap).name}));
     }
     return isWhole;
 }

@@ -20,6 +20,7 @@
 #include "texplorer/scene/sampler_state.h"
 #include "texplorer/scene/texture_options.h"
 #include "texplorer/scene/timeline.h"
+#include "texplorer/scene/upload.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -202,6 +203,7 @@ struct Texture : SamplerState {
     float priority = 1;
     std::vector<GivenLevel> levels{};     ///< 1, 2, 3, …: for MipPolicy::Given
     std::vector<ImageStep> preparation{}; ///< in this order, before everything else except decoding
+    Upload upload{};
 
     bool operator==(const Texture&) const = default;
 };

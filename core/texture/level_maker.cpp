@@ -36,6 +36,8 @@ bool areDepths(const TextureImage& image) {
 
 Texture settingsFor(const Texture& texture, const TextureImage& image) {
     Texture settings = withGeneratedLevels(texture);
+    if (texture.source == SourceKind::LightDepth) // the driver copies it
+        settings.upload = {};
     if (!areDepths(image) || !isDepth(texture.internalFormat))
         return settings;
     if (texture.mipmaps != MipPolicy::FromFile)
@@ -149,8 +151,10 @@ void LevelMaker::takePicture(const LevelPicture& picture, int face) {
 }
 
 /// The base, and what the policy makes of it.
-void LevelMaker::takeMade(int face) {
+Result<void> LevelMaker::takeMade(int face) {
     const MipOptions options{texture_.mipFilter, texture_.mipGamma, texture_.npot};
+    if (readsMemory() && readsFirst_ != ReadsFirst::No)
+        return takeMadeOfRead(face, options);
     MipChain chain;
     int number = 0;
     if (const Surface& from = surface(image_, face, 0); isTakenAsItIs(basePicture(), from)) {
@@ -163,20 +167,29 @@ void LevelMaker::takeMade(int face) {
         chain = applyMipPolicy(texture_.mipmaps, pixels(basePicture(), face), options);
     for (Image& level : chain)
         out_.levels.push_back({number++, std::move(level), face});
+    return {};
 }
 
-void LevelMaker::takePixels() {
+Result<void> LevelMaker::takePixels() {
+    if (readsMemory()) {
+        if (Result<void> accepted = checkUpload(); !accepted)
+            return accepted;
+        out_.call = callOf(texture_.upload);
+    }
     out_.border = hasBorder() ? 1 : 0;
     for (int face = 0; face < facesOf(target_); ++face) {
-        if (texture_.mipmaps != MipPolicy::FromFile)
-            takeMade(face);
+        if (texture_.mipmaps != MipPolicy::FromFile) {
+            if (Result<void> made = takeMade(face); !made)
+                return made;
+        }
         for (const LevelPicture& picture : levelPictures()) {
             if (isStopped())
-                return;
+                return {};
             if (texture_.mipmaps == MipPolicy::FromFile || picture.number > 0)
                 takePicture(picture, face);
         }
     }
+    return readsMemory() && readsFirst_ == ReadsFirst::No ? readLevels() : Result<void>();
 }
 
 /// Each given level may name a picture as large as a file may be, and many textures may name the same one.
@@ -232,7 +245,7 @@ void LevelMaker::roundToBits() {
         const int bits = factsOf(out_.internalFormat).bits[0];
         for (TextureLevel& level : out_.levels) {
             const Image* image = std::get_if<Image>(&*level.surface);
-            if (image && (image->format != PixelFormat::Depth32 || bits < lightDepthBits))
+            if (image && (image->format != PixelFormat::Depth32 || bits < lightDepthBits || level.memory))
                 level.surface = depthsOf(*image, bits);
         }
         return;
@@ -242,6 +255,7 @@ void LevelMaker::roundToBits() {
     for (TextureLevel& level : out_.levels) {
         if (const Image* image = std::get_if<Image>(&*level.surface))
             level.surface = withStoredNumbers(*image, out_.internalFormat);
+        level.memory.reset(); // the driver may store more bits
     }
 }
 
@@ -262,7 +276,8 @@ Result<TextureLevels> LevelMaker::run() {
         if (const Result<void> taken = takeBlocks(); !taken)
             return fail(taken.error());
     } else {
-        takePixels();
+        if (const Result<void> taken = takePixels(); !taken)
+            return fail(taken.error());
         if (isStopped())
             return fail(ErrorCode::Cancelled, "making its levels was cancelled");
         if (const Result<void> compressed = compress(); !compressed)

@@ -1,8 +1,8 @@
 #pragma once
 
 // Makes the levels of a texture: the implementation of texture_levels.h and level_plan.h. Its functions are
-// in level_maker.cpp (levels from pictures), level_blocks.cpp (compressed levels) and level_plan.cpp (extents
-// only).
+// in level_maker.cpp (levels from pictures), level_upload.cpp (custom calls), level_blocks.cpp (compressed
+// levels) and level_plan.cpp (extents only).
 
 #include "texplorer/base/result.h"
 #include "texplorer/gl/sampling.h"
@@ -43,7 +43,10 @@ public:
         , image_(*pictures.base)
         , lends_(lends)
         , target_(target)
-        , work_(work) {}
+        , work_(work)
+        , readsFirst_(isMadeByDriver(texture.mipmaps)     ? ReadsFirst::ForDriver
+                      : texture.mipmaps == MipPolicy::Glu ? ReadsFirst::ForGlu
+                                                          : ReadsFirst::No) {}
 
     Result<TextureLevels> run();
     [[nodiscard]] LevelPlan plan();
@@ -95,6 +98,18 @@ private:
         return image.surface(image.faces == cubeFaceCount ? face : 0, level);
     }
 
+    /// Whether pixels go through a custom call: glCompressedTexImage has no format.
+    [[nodiscard]] bool readsMemory() const {
+        return texture_.upload.custom && texture_.compression != Compression::Cached;
+    }
+
+    /// Who makes the other levels of the base after it was read: otherwise the program holds all of them.
+    enum class ReadsFirst : std::uint8_t { No, ForDriver, ForGlu };
+    struct Read {
+        Image image;
+        std::shared_ptr<const Bytes> memory;
+    };
+
     [[nodiscard]] int levelCount() const;
     [[nodiscard]] std::vector<LevelPicture> levelPictures() const;
     [[nodiscard]] PlannedLevel extentsOfPicture(const LevelPicture& picture) const;
@@ -109,9 +124,14 @@ private:
     [[nodiscard]] Image pixels(const LevelPicture& picture, int face) const;
     [[nodiscard]] bool isTakenAsItIs(const LevelPicture& picture, const Surface& surface) const;
     [[nodiscard]] SharedSurface lend(const Surface& surface) const;
-    void takePixels();
+    [[nodiscard]] Result<void> takePixels();
     void takePicture(const LevelPicture& picture, int face);
-    void takeMade(int face);
+    [[nodiscard]] Result<void> takeMade(int face);
+    [[nodiscard]] MemoryLayout memoryOfBase() const;
+    [[nodiscard]] Result<void> checkUpload() const;
+    [[nodiscard]] Result<Read> readBack(const Image& image) const;
+    [[nodiscard]] Result<void> takeMadeOfRead(int face, const MipOptions& options);
+    [[nodiscard]] Result<void> readLevels();
     [[nodiscard]] Result<void> checkRoom() const;
     void noteMissing();
     [[nodiscard]] Result<void> compress();
@@ -127,6 +147,7 @@ private:
     bool lends_;
     Target target_;
     const LevelWork& work_;
+    ReadsFirst readsFirst_;
     TextureLevels out_;
 };
 

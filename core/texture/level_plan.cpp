@@ -53,6 +53,8 @@ LevelPlan LevelMaker::plan() {
         plan.blocks = std::get<BlockImage>(base()).format;
         return plan;
     }
+    if (readsMemory() && !checkUpload())
+        return plan; // OpenGL refuses it
     const bool compresses =
         texture_.compression == Compression::Driver || texture_.compression == Compression::Cached;
     if (compresses && axesOf(target_) == 2 && !hasBorder() && !isDepth(texture_.internalFormat))

@@ -28,6 +28,9 @@ struct TextureLevel {
     int number = 0;        ///< GL's: 0 is the base
     SharedSurface surface; ///< shared with the image if unchanged
     int face = 0;          ///< of a cube map: as in CubeFace
+    /// Of a custom upload: what the program holds, followed by zeros up to the last byte that
+    /// TextureLevels::call reads. The surface is what OpenGL makes of it.
+    std::shared_ptr<const Bytes> memory{};
 };
 
 struct TextureLevels {
@@ -45,6 +48,8 @@ struct TextureLevels {
     /// The source of compressed levels, in the same order, to measure the loss. Empty if nothing was
     /// compressed here.
     MipChain source;
+    /// Of a custom upload, whose levels have a memory; other levels are uploaded as their pixels.
+    std::optional<UploadCall> call{};
     bool fromCache = false;      ///< the blocks were read from the cache
     std::vector<Sentence> notes; ///< sentences about what was done differently than specified, and why
 };

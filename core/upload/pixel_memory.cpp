@@ -275,6 +275,14 @@ Image readPixels(ByteView memory, const UploadCall& call, const PixelExtent& ext
     return image;
 }
 
+Bytes withSwappedBytes(ByteView memory, TransferType type) {
+    Bytes swapped(memory.begin(), memory.end());
+    const auto size = static_cast<std::ptrdiff_t>(factsOf(type).bytes);
+    for (auto number = swapped.begin(); swapped.end() - number >= size; number += size)
+        std::reverse(number, number + size);
+    return swapped;
+}
+
 Bytes writePixels(const Image& image, const PixelLayout& layout, int alignment) {
     const UploadCall call{layout, {.alignment = alignment}};
     const PixelExtent extent{image.width, image.height, image.depth};

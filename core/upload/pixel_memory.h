@@ -81,6 +81,9 @@ struct ByteRange {
 /// bits. The layout has passed checkLayout().
 [[nodiscard]] Image readPixels(ByteView memory, const UploadCall& call, const PixelExtent& extent);
 
+/// The same memory for a call without swapBytes: the bytes of each number in reverse order.
+[[nodiscard]] Bytes withSwappedBytes(ByteView memory, TransferType type);
+
 /// The memory that holds an image: each row begins at a multiple of `alignment` bytes, and bytes between rows
 /// are 0. Luminance is that of texplorer/image/preparation.h, a depth is red. The opposite of readPixels()
 /// for a call that fits, as far as the type has the bits.

@@ -30,7 +30,11 @@ protected:
         const bool skips = !call.unpacking.swapBytes && call.scale == glm::vec4(1);
         glPixelStorei(GL_UNPACK_SKIP_ROWS, skips ? call.unpacking.skipRows : 0);
         glPixelStorei(GL_UNPACK_SKIP_PIXELS, skips ? call.unpacking.skipPixels : 0);
-        glPixelStorei(GL_UNPACK_SWAP_BYTES, call.unpacking.swapBytes ? GL_TRUE : GL_FALSE);
+        const bool swaps = call.unpacking.swapBytes && call.unpacking.rowLength == 0;
+        // Mesa 22.3 ignores the row length when it swaps, and writes out of bounds.
+        glPixelStorei(GL_UNPACK_SWAP_BYTES, swaps ? GL_TRUE : GL_FALSE);
+        const Bytes given =
+            call.unpacking.swapBytes && !swaps ? withSwappedBytes(memory, call.layout.type) : memory;
         constexpr std::array scales{GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE};
         constexpr std::array biases{GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS};
         for (int i = 0; i < 4; ++i) {
@@ -39,7 +43,7 @@ protected:
         }
         glTexImage2D(GL_TEXTURE_2D, 0, isDepth ? GL_DEPTH_COMPONENT24 : GL_RGBA8, extent.width, extent.height,
                      0, static_cast<GLenum>(call.layout.format), static_cast<GLenum>(call.layout.type),
-                     memory.data() + (skips ? 0 : bytesOf(call, extent, 0, 0).first));
+                     given.data() + (skips ? 0 : bytesOf(call, extent, 0, 0).first));
         for (int i = 0; i < 4; ++i) {
             glPixelTransferf(static_cast<GLenum>(scales.at(static_cast<std::size_t>(i))), 1);
             glPixelTransferf(static_cast<GLenum>(biases.at(static_cast<std::size_t>(i))), 0);

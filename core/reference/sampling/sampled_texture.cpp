@@ -173,12 +173,14 @@ SampledTexture shapeOf(const TextureLevels& levels, Target target) {
     SampledTexture shape;
     shape.target = target;
     setFormat(shape, levels);
-    for (const auto& [number, surface, face] : levels.levels) {
+    for (const TextureLevel& level : levels.levels) {
         const int both = 2 * levels.border;
-        shape.levelToFill(number, face) = {.width = widthOf(surface) - both,
-                                           .height = heightOf(surface) - (axesOf(target) > 1 ? both : 0),
-                                           .depth = depthOf(surface) - (axesOf(target) > 2 ? both : 0),
-                                           .border = levels.border};
+        const Surface& surface = level.surface;
+        shape.levelToFill(level.number,
+                          level.face) = {.width = widthOf(surface) - both,
+                                         .height = heightOf(surface) - (axesOf(target) > 1 ? both : 0),
+                                         .depth = depthOf(surface) - (axesOf(target) > 2 ? both : 0),
+                                         .border = levels.border};
     }
     return shape;
 }

@@ -125,6 +125,7 @@ modelMaterialTable(); ///< of one model: without the members that only the scene
 [[nodiscard]] const StructTable& matrixStepTable();
 [[nodiscard]] const StructTable& combineTable();
 [[nodiscard]] const StructTable& embossTable();
+[[nodiscard]] const StructTable& uploadTable();
 [[nodiscard]] const StructTable& keyFrameTable();
 /// For the coordinates s, t, r and q: 0 to 3. They differ in the accepted modes.
 [[nodiscard]] const StructTable& texGenTable(std::size_t coordinate);

@@ -175,6 +175,7 @@ const StructTable& textureTable() {
         build::many<&Texture::levels>("levels", N_("Level"), givenLevelTable(), 0, maxGivenLevels),
         build::many<&Texture::preparation>("preparation", N_("Image step"), imageStepTable(), 0,
                                            maxImageSteps),
+        build::single<&Texture::upload>("upload", N_("Upload"), uploadTable()),
     };
     // The sampler state is one member of the texture, its base, and has a row for each of its own.
     static_assert(textureRows.size() + children.size() ==

@@ -4,6 +4,7 @@
 #include "texplorer/gl/error.h"
 #include "texplorer/gl/fragment.h"
 #include "texplorer/gl/sampling.h"
+#include "texplorer/gl/transfer.h"
 #include "texplorer/report/state.h"
 #include "texplorer/scene/scene.h"
 
