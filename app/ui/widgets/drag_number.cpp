@@ -3,6 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
+#include "texplorer/base/translatable.h"
 
 #include <fmt/core.h>
 #include <imgui_internal.h> // whether a number is being typed
@@ -36,7 +37,7 @@ int decimalsOf(const Range& range) {
 }
 
 std::string unitText(const Range& range) {
-    return range.unit == "deg" ? "°" : range.unit == "deg/s" ? "°/s" : tr(range.unit);
+    return range.unit == "deg" ? "°" : tr(range.unit == "deg/s" ? std::string_view(N_("°/s")) : range.unit);
 }
 
 std::string secondsFormat() {

@@ -51,7 +51,7 @@ constexpr std::array matrixStepRows{
                               N_("The angle of a rotation at time 0. Translations and scales ignore it."),
                               {-360, 360, 0.5F, N_("deg")}),
     param<&MatrixStep::rate>("rate", N_("Animation"), N_("Rate"), "", N_("Added to the amount every second."),
-                             {-1000, 1000, 0.01F, "/s"}),
+                             {-1000, 1000, 0.01F, N_("/s")}),
     param<&MatrixStep::angleRate>("angleRate", N_("Animation"), N_("Angle rate"), "",
                                   N_("Added to the angle every second."), {-3600, 3600, 0.5F, N_("deg/s")}),
 };

@@ -1,3 +1,4 @@
+#include "tests/ui/drawn_texts.h"
 #include "tests/ui/workbench.h"
 
 namespace texplorer::ui::vector_controls_test {
@@ -33,6 +34,15 @@ TEST_F(VectorControls, HaveTheirUnitNextToTheLabel) {
     EXPECT_TRUE(has("passes[0].units[0].matrix[0].rate#unit"));
     EXPECT_FALSE(has("passes[0].units[0].matrix[0].amount#unit")) << "it has none";
     EXPECT_FALSE(has("passes[0].units[0].matrix[0].angleRate#unit")) << "it is in the field";
+}
+
+TEST_F(VectorControls, HaveTheirUnitInTheLanguageOfTheWindow) {
+    unit().matrix = {{.op = MatrixOp::Rotate, .angleRate = 30}};
+    speak(Language::Russian);
+    open("Texture matrix");
+    scrollTo("passes[0].units[0].matrix[0].angleRate");
+    EXPECT_THAT(drawnTexts(), testing::Contains(testing::HasSubstr(" /с")));
+    EXPECT_THAT(drawnTexts(), testing::Contains("30.0°/с"));
 }
 
 } // namespace
