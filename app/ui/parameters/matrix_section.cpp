@@ -112,7 +112,7 @@ void stepRows(const Session& session, const StepList& steps, const std::vector<S
             submit(session, {.name = words.nameOf(*pressed),
                              .edits = {editOf(*pressed, steps.path, i)},
                              .path = steps.path});
-        paramRows(session, place.owner, matrixStepTable(), {.captions = false});
+        paramRows(session, place.owner, *place.table, {.captions = false});
         ImGui::Separator();
         ImGui::PopID();
         ++i;

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -28,6 +29,22 @@ constexpr std::array texGenPlaces{TexGenPlace{N_("Generated s"), &Unit::texGenS,
                                   TexGenPlace{N_("Generated r"), &Unit::texGenR, keyOf<&Unit::texGenR>},
                                   TexGenPlace{N_("Generated q"), &Unit::texGenQ, keyOf<&Unit::texGenQ>}};
 
+/// The rows of a matrix step. Its amount has the name of what it is.
+const StructTable& stepTable(MatrixOp op) {
+    const auto withAmount = [](const char* name) {
+        const StructTable& table = matrixStepTable();
+        std::vector<ParamRow> rows(table.params.begin(), table.params.end());
+        std::ranges::find(rows, memberId<&MatrixStep::amount>, &ParamRow::member)->label = name;
+        return rows;
+    };
+    static const std::array rows{withAmount(N_("Offset")), withAmount(N_("Axis")), withAmount(N_("Factors"))};
+    static const std::array tables{StructTable{matrixStepTable().name, rows[0], {}},
+                                   StructTable{matrixStepTable().name, rows[1], {}},
+                                   StructTable{matrixStepTable().name, rows[2], {}}};
+    const auto kind = static_cast<std::size_t>(op); // Translate, Rotate, Scale
+    return kind < tables.size() ? tables.at(kind) : matrixStepTable();
+}
+
 void addUnitPlaces(Places& places, const Session& session) {
     static const Unit initial;
     static const MatrixStep initialStep;
@@ -46,7 +63,7 @@ void addUnitPlaces(Places& places, const Session& session) {
         places.push_back({Section::Matrix,
                           Sentence("Matrix step {0}", i + 1),
                           {&unit.matrix[i], &initialStep, path + elementOf<&Unit::matrix>(i)},
-                          &matrixStepTable()});
+                          &stepTable(unit.matrix[i].op)});
     const Model* model = selectedModel(session);
     const auto number = static_cast<std::size_t>(session.look.selection.unit);
     for (std::size_t i = 0; model && i < model->units[number].matrix.size(); ++i)
@@ -57,7 +74,7 @@ void addUnitPlaces(Places& places, const Session& session) {
               fmt::format("{}.{}.{}",
                           elementOf<&Scene::models>(static_cast<std::size_t>(session.look.selection.model)),
                           elementOf<&Model::units>(number), elementOf<&ModelUnit::matrix>(i))},
-             &matrixStepTable()});
+             &stepTable(model->units[number].matrix[i].op)});
 }
 
 void addModelPlaces(Places& places, const Session& session) {

@@ -36,6 +36,19 @@ TEST_F(VectorControls, HaveTheirUnitNextToTheLabel) {
     EXPECT_FALSE(has("passes[0].units[0].matrix[0].angleRate#unit")) << "it is in the field";
 }
 
+TEST_F(VectorControls, OfAMatrixStepAreNamedForWhatTheyAre) {
+    unit().matrix = {{.op = MatrixOp::Rotate, .amount = {0, 0, 1}}};
+    open("Texture matrix");
+    EXPECT_THAT(drawnTexts(), testing::Contains("Axis"));
+    unit().matrix = {{.op = MatrixOp::Translate}};
+    frames(2);
+    EXPECT_THAT(drawnTexts(), testing::Contains("Offset"));
+    unit().matrix = {{.op = MatrixOp::Scale, .amount = {1, 2, 1}}};
+    frames(2);
+    EXPECT_THAT(drawnTexts(), testing::Contains("Factors"));
+    EXPECT_THAT(drawnTexts(), testing::Not(testing::Contains("Amount")));
+}
+
 TEST_F(VectorControls, HaveTheirUnitInTheLanguageOfTheWindow) {
     unit().matrix = {{.op = MatrixOp::Rotate, .angleRate = 30}};
     speak(Language::Russian);
