@@ -198,9 +198,8 @@ void noTexCoord(const Case& about, Report& report) {
             continue;
         const std::vector<SentVertex> sent = sentVertices(model, meshOf(model));
         for (std::size_t u = 0; u < maxUnits; ++u) {
-            const auto isLeftOut = [u](const SentVertex& each) { return each.coordsOf[u] != each.vertex; };
-            const auto first = std::ranges::find_if(sent, isLeftOut);
-            if (first == sent.end() || !takesGiven(about.scene, m, u))
+            const std::optional<SentVertex> first = firstWithoutCall(sent, u);
+            if (!first || !takesGiven(about.scene, m, u))
                 continue;
             const Sentence sentence =
                 first->coordsOf[u]

@@ -103,6 +103,12 @@ std::vector<SentVertex> sentVertices(const Model& model, const Mesh& mesh) {
     return sent;
 }
 
+std::optional<SentVertex> firstWithoutCall(const std::vector<SentVertex>& sent, std::size_t unit) {
+    const auto first = std::ranges::find_if(
+        sent, [unit](const SentVertex& each) { return each.coordsOf[unit] != each.vertex; });
+    return first == sent.end() ? std::nullopt : std::optional(*first);
+}
+
 std::vector<std::optional<std::uint32_t>> coordSources(const Model& model, const Mesh& mesh, int unit) {
     const auto at = static_cast<std::size_t>(unit);
     std::vector<std::optional<std::uint32_t>> sources(mesh.vertices.size());

@@ -26,6 +26,10 @@ struct SentVertex {
 /// each.
 [[nodiscard]] std::vector<SentVertex> sentVertices(const Model& model, const Mesh& mesh);
 
+/// The first one that has the coordinates of another for a unit, because its call is left out.
+[[nodiscard]] std::optional<SentVertex> firstWithoutCall(const std::vector<SentVertex>& sent,
+                                                         std::size_t unit);
+
 /// By vertex, the one whose coordinates for a unit it has where it is sent first: itself if its call isn't
 /// left out; empty: (0, 0, 0, 1).
 [[nodiscard]] std::vector<std::optional<std::uint32_t>> coordSources(const Model& model, const Mesh& mesh,

@@ -1,6 +1,7 @@
 #include "app/ui/details/vertices_tab.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/model/findings.h"
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/model_choice.h"
@@ -246,6 +247,11 @@ void drawVerticesTab(const Session& session, VerticesTabState& state) {
         act(session, [showRq](Session& changed) { changed.window.showRq = showRq; });
     item("show r, q", "Shows the third and fourth coordinate: r for volumes, q for projected textures");
     drawVertexButtons(session, state);
+    const std::string& shown = session.look.shownParam;
+    if (std::exchange(state.shownParam, shown) != shown && isOfCoords(shown)) {
+        state.part = VertexPart::Coordinates;
+        state.revealed.reset();
+    }
     const bool own = selectedModel(session)->shape == Shape::Mesh;
     const VertexPartRow& part = rowOf(own ? state.part : VertexPart::Coordinates);
     const std::string path = part.path(session);

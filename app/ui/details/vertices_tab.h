@@ -36,6 +36,7 @@ struct VertexPartRow {
 /// The state of the tab.
 struct VerticesTabState {
     std::optional<std::size_t> revealed; ///< the vertex that the list was already scrolled to
+    std::string shownParam;              ///< Look's, when the list was last drawn
     VertexPart part = VertexPart::Coordinates;
     bool together = true; ///< vertices at one place move together
 };

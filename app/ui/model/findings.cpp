@@ -1,7 +1,10 @@
 #include "app/ui/model/findings.h"
 
 #include "app/ui/language/translate.h"
+#include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/keys.h"
 #include "texplorer/scene/params/scene_at.h"
+#include "texplorer/scene/sent_vertices.h"
 
 #include <fmt/core.h>
 
@@ -43,7 +46,28 @@ bool beginsWithName(const Sentence& sentence, std::string_view text) {
                                [text](const Sentence& each) { return beginsWithName(each, text); });
 }
 
+/// Opens the list of vertices, for calls that are left out at the first vertex without one.
+void revealCoords(Session& session, std::string_view path) {
+    Selection& selection = session.look.selection;
+    session.window.wantedTab = Tab::Vertices;
+    const Model* model = selectedModel(session);
+    for (std::size_t unit = 0; model && unit < maxUnits; ++unit) {
+        if (path.find(findKey(memberId<&Model::texCoords>, unit)) != std::string_view::npos)
+            selection.unit = static_cast<int>(unit);
+        if (path.find(findKey(memberId<&Model::noTexCoord>, unit)) == std::string_view::npos)
+            continue;
+        selection.unit = static_cast<int>(unit);
+        if (const auto first = firstWithoutCall(sentVertices(*model, meshOf(*model)), unit))
+            selection.vertex = first->vertex;
+    }
+}
+
 } // namespace
+
+bool isOfCoords(std::string_view path) {
+    return path.find("texCoords") != std::string_view::npos ||
+           path.find("noTexCoord") != std::string_view::npos;
+}
 
 void diagnoseSession(Session& session, const DriverFacts& driver) {
     Diagnosis& last = session.document.diagnosis;
@@ -76,8 +100,8 @@ void reveal(Session& session, const std::string& path) {
         selection.unit = unit;
     if (const int model = indexIn(path, "models"); model >= 0) {
         selection.model = model;
-        if (path.find("texCoords") != std::string::npos || path.find("noTexCoord") != std::string::npos)
-            session.window.wantedTab = Tab::Vertices; // where they are edited
+        if (isOfCoords(path))
+            revealCoords(session, path);
     }
     // A texture is edited through a unit that it is bound to; one that is on comes first.
     if (const int texture = indexIn(path, "textures"); texture >= 0) {

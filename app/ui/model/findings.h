@@ -19,6 +19,9 @@ void diagnoseSession(Session& session, const DriverFacts& driver);
 /// is incomplete: …."
 [[nodiscard]] Sentence shownSentence(const Sentence& problem);
 
+/// Whether the parameter is edited in the list of vertices, with their coordinates.
+[[nodiscard]] bool isOfCoords(std::string_view path);
+
 /// Selects the object of a parameter, opens its section and scrolls to it in the next frame.
 void reveal(Session& session, const std::string& path);
 

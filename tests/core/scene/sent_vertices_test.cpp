@@ -63,6 +63,8 @@ TEST(SentVertices, OneThatIsSentTwiceCanHaveTwoCoordinates) {
     mesh.noTexCoord[0] = {2};
     EXPECT_THAT(orderOf(mesh), ElementsAre(0, 1, 2, 3, 2, 1));
     EXPECT_THAT(sourcesOf(mesh), ElementsAre(0U, 1U, 1U, 3U, 3U, 1U));
+    EXPECT_EQ(firstWithoutCall(sentVertices(mesh, meshOf(mesh)), 0)->vertex, 2U);
+    EXPECT_FALSE(firstWithoutCall(sentVertices(mesh, meshOf(mesh)), 1).has_value());
     EXPECT_THAT(coordSources(mesh, meshOf(mesh), 0), ElementsAre(0U, 1U, 1U, 3U)); // the first time
 
     const SentModel drawn(mesh);

@@ -98,6 +98,27 @@ TEST_F(Findings, ABadVertexLeadsToItsModel) {
     EXPECT_EQ(session->look.selection.model, 1);
 }
 
+TEST_F(Findings, AVertexWithoutGlTexCoordIsSelectedInItsList) {
+    scene().passes[0].units[1].enabled = true;
+    Model& model = scene().models[1];
+    model.shape = Shape::Mesh;
+    model.mesh = {.primitive = Primitive::Triangles,
+                  .positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                  .indices = {2, 3, 0, 0, 1, 2}};
+    model.noTexCoord[1] = {0, 3}; // 3 is sent first
+    states.details.vertices.part = VertexPart::Position;
+    session->settings.workspace.maximised = Maximised::None;
+    frames(2);
+    click("finding");
+    frames(2);
+    EXPECT_EQ(session->look.selection.model, 1);
+    EXPECT_EQ(session->look.selection.unit, 1);
+    EXPECT_EQ(session->look.selection.vertex, std::optional<std::size_t>(3));
+    static_cast<void>(place("glTexCoord:3")); // fails if it is not visible
+    click("show Position");                   // the list is the user's again
+    EXPECT_FALSE(has("glTexCoord:3"));
+}
+
 TEST_F(Findings, WhatHasNoEffectIsDimEverywhere) {
     EXPECT_TRUE(has("passes[0].units[0].envColor#inert"));
     choose("passes[0].units[0].envMode", "GL_BLEND");
