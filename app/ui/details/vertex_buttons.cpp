@@ -67,8 +67,9 @@ void coordButtons(const Session& session, ButtonLine& line) {
     button("Flip s", N_("s becomes 1 − s"), "Flip s", flipS);
     button("Flip t", N_("t becomes 1 − t"), "Flip t", flipT);
     button("90°", N_("Rotates all coordinates by 90° about (0.5, 0.5)"), "Rotate coordinates", rotateQuarter);
-    button("Reset", N_("Resets to the coordinates of the mesh"), "Reset coordinates",
-           [](TexCoords& c) { c.clear(); });
+    if (line.button("Reset", "coords:Reset",
+                    "Resets to the coordinates of the mesh, and sends all glTexCoord calls"))
+        resetTexCoords(session);
 }
 
 /// Shows the positions of its vertices, which are edited most.

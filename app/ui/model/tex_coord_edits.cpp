@@ -58,6 +58,19 @@ void submitLeftOut(const Session& session, std::size_t vertex, bool leftOut) {
                     findKey(memberId<&Model::noTexCoord>, static_cast<std::size_t>(selection.unit))));
 }
 
+void resetTexCoords(const Session& session) {
+    const Selection& selection = session.look.selection;
+    const auto unit = static_cast<std::size_t>(selection.unit);
+    submit(
+        session, "Reset coordinates",
+        [&](Scene& scene) {
+            Model& model = selectedModel(scene, selection);
+            model.texCoords[unit].clear();
+            model.noTexCoord[unit].clear();
+        },
+        coordsPath(session));
+}
+
 void scaleCoords(TexCoords& coords, float factor) {
     for (glm::vec4& each : coords) {
         each.x *= factor;

@@ -26,6 +26,10 @@ void dragTexCoords(const Session& session, Sentence name, TexCoords coords);
 /// Submits a step that leaves out the vertex's glTexCoord for the selected model and unit, or sends it again.
 void submitLeftOut(const Session& session, std::size_t vertex, bool leftOut);
 
+/// Submits a step that resets the coordinates of the selected model and unit to those of the mesh, and sends
+/// all of them.
+void resetTexCoords(const Session& session);
+
 // The actions of the buttons above the vertex list, on all coordinates of a model. r and q stay unchanged.
 
 void scaleCoords(TexCoords& coords, float factor); ///< about (0, 0): 2 shows the image twice as often

@@ -69,6 +69,11 @@ TEST_F(VerticesTab, GlTexCoordOfAVertexIsLeftOutAndSentAgain) {
     EXPECT_EQ(scene().models[0].noTexCoord[0], std::vector<int>{2});
     key('Z', {ctrl});
     EXPECT_EQ(scene().models[0].noTexCoord[0], (std::vector<int>{1, 2}));
+    scene().models[0].noTexCoord[1] = {3};
+    click("coords:Reset");
+    EXPECT_TRUE(scene().models[0].texCoords[0].empty());
+    EXPECT_EQ(scene().models[0].noTexCoord[0], std::vector<int>{});
+    EXPECT_EQ(scene().models[0].noTexCoord[1], std::vector<int>{3}) << "of another unit";
     click("make mesh");
     click("show Position");
     EXPECT_FALSE(has("glTexCoord:1"));
