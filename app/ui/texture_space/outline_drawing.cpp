@@ -5,6 +5,7 @@
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
 
+#include <fmt/core.h>
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -152,23 +153,27 @@ std::size_t edgeCount(const Mesh& mesh) {
     return edges;
 }
 
-/// "2   (1.00, 0.50)", and its end point.
+/// "2   (1.00, 0.50)", and its end point; "2 = 1" if it has the coordinates of vertex 1.
 Sentence vertexText(const PlaneCoords& coords, std::size_t vertex) {
-    const glm::vec4 given = coords.given()[vertex];
+    const glm::vec4 given = coords.current(vertex);
+    const std::optional<std::uint32_t> source = coords.source(vertex);
+    const std::string numbers =
+        source.value_or(vertex) == vertex ? std::to_string(vertex) : fmt::format("{} = {}", vertex, *source);
+    const ProperName name{numbers};
     const glm::vec2 end = coords.resultingPlaces()[vertex];
     if (!coords.differ() && given.q == 1)
-        return {N_("{0}   ({1:.2f}, {2:.2f})"), vertex, given.s, given.t};
+        return {N_("{0}   ({1:.2f}, {2:.2f})"), name, given.s, given.t};
     if (!isPlace(end))
-        return {N_("{0}   ({1:.2f}, {2:.2f}) → nowhere: q is 0"), vertex, given.s, given.t};
+        return {N_("{0}   ({1:.2f}, {2:.2f}) → nowhere: q is 0"), name, given.s, given.t};
     if (given.q != 1)
         return {N_("{0}   ({1:.2f}, {2:.2f}, q {3:.2f}) → ({4:.2f}, {5:.2f})"),
-                vertex,
+                name,
                 given.s,
                 given.t,
                 given.q,
                 end.x,
                 end.y};
-    return {N_("{0}   ({1:.2f}, {2:.2f}) → ({3:.2f}, {4:.2f})"), vertex, given.s, given.t, end.x, end.y};
+    return {N_("{0}   ({1:.2f}, {2:.2f}) → ({3:.2f}, {4:.2f})"), name, given.s, given.t, end.x, end.y};
 }
 
 /// Vertices at one place.

@@ -72,11 +72,10 @@ void PlaneCoords::makePlaces(const Session& session, const Scene& scene, const M
     resultingPlaces_.resize(count);
     differ_ = false;
     for (std::size_t i = 0; i < count; ++i) {
-        const glm::vec4 current = sources_[i] ? given[*sources_[i]] : glm::vec4(0, 0, 0, 1);
-        const glm::vec4 moved = relief_.empty() ? current : current + relief_[i];
+        const glm::vec4 moved = relief_.empty() ? current(i) : current(i) + relief_[i];
         generated_[i] = generatedFrom(moved, eye, mesh.vertices[i]);
         const glm::vec4 end = shown_ * generated_[i];
-        givenPlaces_[i] = glm::vec2(given[i]);
+        givenPlaces_[i] = glm::vec2(current(i));
         resultingPlaces_[i] = glm::vec2(end) / end.q;
         constexpr float alike = 1e-6F; // the rounding of a flip and its inverse
         const auto isElsewhere = [](float a, float b) {
@@ -86,6 +85,17 @@ void PlaneCoords::makePlaces(const Session& session, const Scene& scene, const M
                   isElsewhere(givenPlaces_[i].y, resultingPlaces_[i].y);
     }
     makeOutlines(session, scene, model);
+}
+
+glm::vec4 PlaneCoords::current(std::size_t vertex) const {
+    return sources_[vertex] ? key_.given[*sources_[vertex]] : glm::vec4(0, 0, 0, 1);
+}
+
+Result<void> PlaneCoords::hasOwn(std::size_t vertex) const {
+    if (sources_[vertex] == vertex)
+        return {};
+    return fail(ErrorCode::Unsupported,
+                Sentence("glTexCoord of vertex {0} is left out: its coordinate has no effect", vertex));
 }
 
 void PlaneCoords::makeOutlines(const Session& session, const Scene& scene, const Model& model) {
@@ -123,9 +133,8 @@ Result<glm::vec4> PlaneCoords::givenFor(std::size_t vertex, glm::vec2 place) con
                         Sentence("{0} is generated ({1}): the given coordinate has no effect", names[i],
                                  rowOf(generation[i]->mode).name));
     }
-    if (sources_[vertex] != vertex)
-        return fail(ErrorCode::Unsupported,
-                    Sentence("glTexCoord of vertex {0} is left out: its coordinate has no effect", vertex));
+    if (const Result<void> own = hasOwn(vertex); !own)
+        return fail(own.error());
     // (x - place.x w, y - place.y w) = 0, which is linear in s and t.
     const auto coefficient = [&](int column) {
         return glm::dvec2(shown_[column]) - glm::dvec2(place) * double{shown_[column].w};

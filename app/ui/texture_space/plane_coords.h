@@ -36,16 +36,23 @@ struct Bounds {
     return std::isfinite(place.x) && std::isfinite(place.y);
 }
 
-/// The coordinates of the selected model for the selected unit, as positions in the plane: the given ones,
-/// and the final ones after the unit's relief, generation and matrix, divided by q. Computed again only after
-/// a change.
+/// The coordinates of the selected model for the selected unit, as positions in the plane: the given ones, of
+/// a vertex without glTexCoord those of the vertex before it, and the final ones after the unit's relief,
+/// generation and matrix, divided by q. Computed again only after a change.
 class PlaneCoords {
 public:
     /// Call in every frame, and after an edit. Without a model there are none, nor for a cube map, whose
     /// directions have no position in a plane.
     void follow(const Session& session);
 
+    /// Of each vertex, also where its glTexCoord is left out.
     [[nodiscard]] const TexCoords& given() const { return key_.given; }
+    /// Whose coordinates a vertex has: its own if it is sent with glTexCoord; empty: (0, 0, 0, 1).
+    [[nodiscard]] std::optional<std::uint32_t> source(std::size_t vertex) const { return sources_[vertex]; }
+    /// The coordinates that it has.
+    [[nodiscard]] glm::vec4 current(std::size_t vertex) const;
+    /// Without effect are those of a vertex whose glTexCoord is left out: an error.
+    [[nodiscard]] Result<void> hasOwn(std::size_t vertex) const;
     [[nodiscard]] const std::vector<glm::vec2>& givenPlaces() const { return givenPlaces_; }
     /// The final positions; those that are not finite are left out.
     [[nodiscard]] const std::vector<glm::vec2>& resultingPlaces() const { return resultingPlaces_; }

@@ -1,5 +1,6 @@
 #include "app/ui/texture_space/vertex_moves.h"
 
+#include "app/ui/model/notice.h"
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/state/chosen_vertices.h"
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 
@@ -86,6 +88,8 @@ Result<TexCoords> placed(const PlaneCoords& coords, bool results, std::span<cons
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const std::size_t vertex = vertices[i];
         const glm::vec2 place = placeOf(i);
+        if (const Result<void> own = coords.hasOwn(vertex); !own)
+            return fail(own.error());
         if (results) {
             const Result<glm::vec4> given = coords.givenFor(vertex, place);
             if (!given)
@@ -98,11 +102,19 @@ Result<TexCoords> placed(const PlaneCoords& coords, bool results, std::span<cons
     return list;
 }
 
-/// The vertices that the list of coordinates has.
-std::vector<std::size_t> chosenOf(const Selection& selection, const PlaneCoords& coords) {
-    std::vector<std::size_t> vertices = chosenVertices(selection);
+/// Those that the list of coordinates has. Without those that have no coordinates of their own, if any has.
+std::vector<std::size_t> movableOf(std::vector<std::size_t> vertices, const PlaneCoords& coords) {
     std::erase_if(vertices, [&](std::size_t vertex) { return vertex >= coords.given().size(); });
-    return vertices;
+    std::vector<std::size_t> own;
+    std::ranges::copy_if(vertices, std::back_inserter(own),
+                         [&](std::size_t vertex) { return coords.hasOwn(vertex).has_value(); });
+    return own.empty() ? vertices : own;
+}
+
+void submitOrSay(const Session& session, Sentence name, Result<TexCoords> list, auto&& submit) {
+    if (list)
+        return submit(session, std::move(name), *std::move(list));
+    act(session, [error = list.error()](Session& told) { say(told, error); });
 }
 
 } // namespace
@@ -128,7 +140,7 @@ std::optional<VertexMove> beginMove(const Selection& selection, const PlaneCoord
                                     bool results, std::size_t held, glm::vec2 mouse) {
     VertexMove move{.kind = kind,
                     .results = results,
-                    .vertices = chosenOf(selection, coords),
+                    .vertices = movableOf(chosenVertices(selection), coords),
                     .held = held,
                     .from = mouse,
                     .model = selection.model,
@@ -175,16 +187,16 @@ std::vector<std::size_t> editedVertices(const Session& session) {
 }
 
 void nudge(const Session& session, const PlaneCoords& coords, glm::vec2 way) {
-    const std::vector<std::size_t> vertices = chosenOf(session.look.selection, coords);
+    const std::vector<std::size_t> vertices = movableOf(chosenVertices(session.look.selection), coords);
     if (vertices.empty())
         return;
     const auto shifted = [&](std::size_t i) { return coords.givenPlaces()[vertices[i]] + way; };
-    Result<TexCoords> list = placed(coords, false, vertices, shifted);
-    dragTexCoords(session, nameOfMove(MoveKind::Move, vertices), std::move(*list));
+    submitOrSay(session, nameOfMove(MoveKind::Move, vertices), placed(coords, false, vertices, shifted),
+                dragTexCoords);
 }
 
 void mirrorVertices(const Session& session, const PlaneCoords& coords, int axis) {
-    const std::vector<std::size_t> vertices = editedVertices(session);
+    const std::vector<std::size_t> vertices = movableOf(editedVertices(session), coords);
     if (vertices.empty())
         return;
     const std::vector<glm::vec2> places = placesOf(vertices, coords.givenPlaces());
@@ -194,7 +206,7 @@ void mirrorVertices(const Session& session, const PlaneCoords& coords, int axis)
         place[axis] = 2 * middle[axis] - place[axis];
         return place;
     });
-    submitTexCoords(session, axis == 0 ? N_("Mirror s") : N_("Mirror t"), std::move(*list));
+    submitOrSay(session, axis == 0 ? N_("Mirror s") : N_("Mirror t"), std::move(list), submitTexCoords);
 }
 
 } // namespace texplorer::ui

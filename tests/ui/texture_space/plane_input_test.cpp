@@ -184,13 +184,17 @@ TEST_F(PlaneInput, AVertexWithoutGlTexCoordEndsWhereTheOneBeforeItDoes) {
     scene().models[0].noTexCoord[0] = {0, 2};
     session->look.selection.vertex = 2;
     frames(2);
-    expectPlace("coord:2", 1, 1);
+    expectPlace("coord:2", 1, 0);
     expectPlace("end:2", 1, 0);
     expectPlace("end:0", 0, 0);
+    EXPECT_EQ(noted("coord label:"), "coord label:2 = 1   (1.00, 0.00)");
+    EXPECT_EQ(noted("legend:as given"), "") << "the same as the resulting ones";
     const Scene before = scene();
     hold(place("end:2"), {40, 0});
     EXPECT_EQ(noted("refusal:"), "refusal:glTexCoord of vertex 2 is left out: its coordinate has no effect");
     release();
+    key(key::right);
+    EXPECT_EQ(session->look.notice.text, "glTexCoord of vertex 2 is left out: its coordinate has no effect");
     EXPECT_EQ(scene(), before);
     // Vertex 2 is drawn twice, the second time after 3.
     ASSERT_TRUE(turnIntoMesh(scene().models[0]));
@@ -199,6 +203,19 @@ TEST_F(PlaneInput, AVertexWithoutGlTexCoordEndsWhereTheOneBeforeItDoes) {
     frames(2);
     EXPECT_EQ(state().coords.outlinePlaces().back(), glm::vec2(0, 1));
     expectPlace("end:2", 1, 0);
+}
+
+TEST_F(PlaneInput, VerticesWithoutGlTexCoordStayWhenOthersAreMirrored) {
+    scene().models[0].noTexCoord[0] = {0, 2};
+    frames(2);
+    mirrorVertices(*session, state().coords, 0);
+    frames(2);
+    const TexCoords& list = scene().models[0].texCoords[0];
+    ASSERT_EQ(list.size(), 4U);
+    EXPECT_EQ(glm::vec2(list[0]), glm::vec2(0, 0));
+    EXPECT_EQ(glm::vec2(list[1]), glm::vec2(0, 0));
+    EXPECT_EQ(glm::vec2(list[2]), glm::vec2(1, 1));
+    EXPECT_EQ(glm::vec2(list[3]), glm::vec2(1, 1));
 }
 
 TEST_F(PlaneInput, SaysWhereTheMatrixHasNoInverse) {
