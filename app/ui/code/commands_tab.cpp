@@ -9,6 +9,7 @@
 #include "app/ui/widgets/theme.h"
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/sent_vertices.h"
 #include "texplorer/scene/tex_coords.h"
 
 #include <fmt/core.h>
@@ -62,20 +63,57 @@ void toolRow(const Session& session, CommandsTabState& state) {
     }
 }
 
+/// A list that a model has for each unit.
+struct UnitList {
+    std::size_t model;
+    std::size_t unit;
+
+    /// The coordinates of a vertex for this unit, which its glTexCoord sets.
+    [[nodiscard]] std::string coordsOf(std::size_t vertex) const {
+        return fmt::format("{}.{}[{}]", elementOf<&Scene::models>(model),
+                           findKey(memberId<&Model::texCoords>, unit), vertex);
+    }
+};
+
+/// The list, if the path is that of one.
+template<auto Member>
+std::optional<UnitList> unitListAt(const Scene& scene, const std::string& path) {
+    for (std::size_t i = 0; i < scene.models.size(); ++i) {
+        for (std::size_t unit = 0; unit < maxUnits; ++unit) {
+            if (path == fmt::format("{}.{}", elementOf<&Scene::models>(i), findKey(memberId<Member>, unit)))
+                return UnitList{i, unit};
+        }
+    }
+    return std::nullopt;
+}
+
 /// A list whose vertices stand in lines of their own, if that is what the path stands for.
 std::optional<Value> vertexListAt(const Scene& scene, const std::string& path) {
-    for (std::size_t i = 0; i < scene.models.size(); ++i) {
-        const Model& model = scene.models[i];
-        for (std::size_t unit = 0; unit < maxUnits; ++unit) {
-            if (path == fmt::format("{}.{}", elementOf<&Scene::models>(i),
-                                    findKey(memberId<&Model::texCoords>, unit)))
-                return effectiveTexCoords(model, meshOf(model), static_cast<int>(unit));
-        }
+    if (const auto list = unitListAt<&Model::texCoords>(scene, path)) {
+        const Model& model = scene.models[list->model];
+        return effectiveTexCoords(model, meshOf(model), static_cast<int>(list->unit));
     }
     Result<ParamAt> at = paramAt(scene, path);
     if (at && !path.ends_with(']') && hasElements(*at->row))
         return std::move(at->value);
     return std::nullopt;
+}
+
+/// The calls that one scene leaves out and the other doesn't.
+ChangedPaths changedCalls(const UnitList& list, const Scene& now, const Scene& was) {
+    ChangedPaths changed;
+    if (list.model >= was.models.size())
+        return changed;
+    const std::vector<int>& left = now.models[list.model].noTexCoord[list.unit];
+    const std::vector<int>& before = was.models[list.model].noTexCoord[list.unit];
+    const auto addOf = [&](const std::vector<int>& some, const std::vector<int>& others) {
+        for (const int vertex : some)
+            if (std::ranges::find(others, vertex) == others.end())
+                changed.insert(list.coordsOf(static_cast<std::size_t>(vertex)));
+    };
+    addOf(left, before);
+    addOf(before, left);
+    return changed;
 }
 
 /// The changes of the last undo step: the parameter, or the changed vertices of a list.
@@ -84,6 +122,8 @@ ChangedPaths changedPaths(const Document& document) {
     if (path.empty())
         return {};
     const History& history = document.history;
+    if (const auto calls = unitListAt<&Model::noTexCoord>(document.scene, path); calls && history.canUndo())
+        return changedCalls(*calls, document.scene, history.sceneOf(history.position() - 1));
     const auto is = vertexListAt(document.scene, path);
     const auto was =
         is && history.canUndo() ? vertexListAt(history.sceneOf(history.position() - 1), path) : std::nullopt;
@@ -186,12 +226,37 @@ void showCalls(CommandsTabState& state, float rowHeight) {
     ImGui::SetScrollY(rowHeight * static_cast<float>(blank.base() - state.rows.begin()));
 }
 
-/// Scrolls once to the last changed line, if it is not visible.
-void showChanged(CommandsTabState& state, float rowHeight) {
+/// The calls before those that the last step has left out: those of the vertices whose coordinates the others
+/// have now; of the first ones, any call of the list.
+ChangedPaths callsBesideChanged(const Scene& scene, const CommandsTabState& state) {
+    ChangedPaths beside;
+    const auto calls = unitListAt<&Model::noTexCoord>(scene, state.lastChanged);
+    if (!calls)
+        return beside;
+    const Model& model = scene.models[calls->model];
+    const auto sources = coordSources(model, meshOf(model), static_cast<int>(calls->unit));
+    for (std::size_t vertex = 0; vertex < sources.size(); ++vertex) {
+        if (sources[vertex] && state.changed.contains(calls->coordsOf(vertex)))
+            beside.insert(calls->coordsOf(*sources[vertex]));
+    }
+    for (std::size_t vertex = 0; beside.empty() && vertex < sources.size(); ++vertex) {
+        if (sources[vertex] == vertex)
+            beside.insert(calls->coordsOf(vertex));
+    }
+    return beside;
+}
+
+/// Scrolls once to the last changed line, if it is not visible; to where it was if its call is left out.
+void showChanged(const Session& session, CommandsTabState& state, float rowHeight) {
     if (state.revealed == state.changed)
         return;
-    const auto found = std::ranges::find_if(
-        state.rows, [&](const CodeRow& row) { return mentionsAny(state.lines[row.line], state.changed); });
+    const auto rowOf = [&](const ChangedPaths& paths) {
+        return std::ranges::find_if(
+            state.rows, [&](const CodeRow& row) { return mentionsAny(state.lines[row.line], paths); });
+    };
+    auto found = rowOf(state.changed);
+    if (found == state.rows.end())
+        found = rowOf(callsBesideChanged(session.document.scene, state));
     if (found == state.rows.end()) // the program that has it may not be ready
         return;
     state.revealed = state.changed;
@@ -252,7 +317,7 @@ void drawCommandsTab(const Session& session, CommandsTabState& state) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ImGui::GetFontSize() * 0.2F});
     const float rowHeight = ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;
     showCalls(state, rowHeight);
-    showChanged(state, rowHeight);
+    showChanged(session, state, rowHeight);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(state.rows.size()), rowHeight);
     while (clipper.Step()) {

@@ -353,6 +353,25 @@ TEST_F(CommandsTab, TheLineThatChangedIsShown) {
     EXPECT_FALSE(isWhole("command:models[1].topRadius"));
 }
 
+// The call is gone, its vertex is not.
+TEST_F(CommandsTab, TheVertexWhoseCallWasLeftOutIsShown) {
+    EXPECT_FALSE(isWhole("command:models[0].texCoords0[19][0]"));
+    scene().models[0].noTexCoord[0] = {20, 21};
+    recordEdit(*session, "Leave out", "models[0].noTexCoord0");
+    frames(3);
+    EXPECT_FALSE(has("command:models[0].texCoords0[20][0]"));
+    EXPECT_TRUE(isWhole("command:models[0].texCoords0[19][0]"));
+    scene().models[0].noTexCoord[0] = {20};
+    recordEdit(*session, "Send", "models[0].noTexCoord0");
+    frames(3);
+    EXPECT_TRUE(isWhole("command:models[0].texCoords0[21][0]"));
+    EXPECT_EQ(states.details.commands.changed, ChangedPaths{"models[0].texCoords0[21]"});
+    scene().models[0].noTexCoord[0] = {0, 1, 20}; // none is sent before
+    recordEdit(*session, "Leave out", "models[0].noTexCoord0");
+    frames(3);
+    EXPECT_TRUE(isWhole("command:models[0].texCoords0[2][0]"));
+}
+
 // An edit in the parameters is seen here at once.
 TEST_F(CommandsTab, FollowsTheParameters) {
     texture().wrapS = Wrap::Clamp;
