@@ -20,6 +20,8 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <ranges>
+#include <string_view>
 #include <vector>
 
 namespace texplorer::ui {
@@ -253,18 +255,39 @@ void drawTrack(const Session& session, TimelineTabState& state, const TrackPlan&
     ImGui::SetCursorScreenPos({low.x, low.y + plan.height});
 }
 
-/// The labels of the parameters; their paths if several have the same label.
+/// What the path has between the beginning and the end that are common to all of them: "matrix[1]" of
+/// "passes[0].units[0].matrix[1].amount".
+std::string_view differenceOf(std::string_view path, const std::vector<std::string_view>& all) {
+    std::size_t begin = path.size();
+    std::size_t end = 0;
+    for (const std::string_view other : all) {
+        if (other == path)
+            continue;
+        const auto first = std::ranges::mismatch(path, other).in1 - path.begin();
+        begin = std::min(begin, path.substr(0, static_cast<std::size_t>(first)).rfind('.') + 1);
+        const auto last =
+            std::ranges::mismatch(path | std::views::reverse, other | std::views::reverse).in1.base() -
+            path.begin();
+        if (last > 0)
+            end = std::max(end, std::min(path.find('.', static_cast<std::size_t>(last) - 1), path.size()));
+    }
+    return path.substr(begin, end > begin ? end - begin : 0);
+}
+
+/// The labels of the parameters. Of those with the same label what differs is first, as the end of a long
+/// name is cut.
 std::vector<Sentence> namesOfTracks(const Session& session, const std::vector<Track>& tracks) {
     std::vector<Sentence> names;
-    std::map<std::string, int> count;
+    std::map<std::string, std::vector<std::string_view>> paths; // by label
     for (const Track& track : tracks) {
         const auto row = rowAt(presentScene(session), track.path);
         names.push_back(row ? Sentence(shownName(session.settings, **row)) : ProperName{track.path});
-        ++count[names.back()];
+        paths[names.back()].push_back(track.path);
     }
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (count[names[i]] > 1)
-            names[i] = ProperName{tracks[i].path};
+        const std::string_view different = differenceOf(tracks[i].path, paths[names[i].english()]);
+        if (!different.empty())
+            names[i] = Sentence("{0}: {1}", ProperName{different}, Sentence(names[i]));
     }
     return names;
 }

@@ -1,6 +1,7 @@
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/timeline/timeline_tab.h"
 #include "app/ui/widgets/keys.h"
+#include "tests/ui/drawn_texts.h"
 #include "tests/ui/edits.h"
 #include "tests/ui/workbench.h"
 #include "texplorer/scene/params/scene_at.h"
@@ -48,6 +49,19 @@ TEST_F(TimelineTab, IsOpenedBesideTheClockSaysHowItBeginsAndLeadsToTheRecording)
     EXPECT_TRUE(has("key:view.azimuth@4"));
     click("timeline:record");
     EXPECT_EQ(session->asking.dialog, Dialog::Record);
+}
+
+TEST_F(TimelineTab, NamesOfTracksBeginWithWhatDiffers) {
+    unit().matrix = {{.op = MatrixOp::Translate}, {.op = MatrixOp::Translate}};
+    for (const char* path : {"passes[0].units[0].matrix[0].amount", "passes[0].units[0].matrix[1].amount"})
+        keys().insert(keys().end(), {{0, path, "0,0,0"}, {1, path, "1,0,0"}});
+    for (const char* path : {"light.ambient", "material.ambient", "view.azimuth"})
+        keys().push_back({0, path, path == std::string("view.azimuth") ? "0" : "0,0,0,1"});
+    recordEdit(*session, "Move");
+    frames(2);
+    const std::vector<std::string> texts = drawnTexts();
+    for (const char* name : {"matrix[0]: Amount", "matrix[1]: Amount", "Azimuth"})
+        EXPECT_THAT(texts, testing::Contains(name));
 }
 
 TEST_F(TimelineTab, HasSomethingToBeginWith) {
