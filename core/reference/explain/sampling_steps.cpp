@@ -5,6 +5,7 @@
 #include "texplorer/reference/sampling/wrap.h"
 
 #include <fmt/core.h>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -68,6 +69,15 @@ void addMatrixParts(Step& step, const FragmentExplanation& fragment, const UnitE
     }
 }
 
+/// A row for each coordinate that it computes, of factors of those that it is given.
+void addMatrix(Step& step, const glm::mat4& matrix) {
+    step.rows.push_back(heading(N_("the texture matrix"), 4));
+    const glm::mat4 rows = glm::transpose(matrix);
+    for (int i = 0; i < 4; ++i)
+        step.rows.push_back(
+            coordinates(indented(ProperName{coordinateNames.at(static_cast<std::size_t>(i))}), rows[i]));
+}
+
 /// Of a vertex that has the coordinates of another one, says so.
 void addLeftOut(Step& step, std::uint32_t vertex, std::optional<std::uint32_t> of) {
     if (!of)
@@ -111,8 +121,10 @@ Step coordinatesStep(const FragmentExplanation& fragment, const UnitExplanation&
     if (unit.flipped || !generated.empty())
         stage(N_("generated"), &CoordinateSteps::generated);
     addMatrixParts(step, fragment, unit);
-    if (unit.matrix != glm::mat4(1))
+    if (unit.matrix != glm::mat4(1)) {
+        addMatrix(step, unit.matrix);
         stage(N_("after the matrix"), &CoordinateSteps::transformed);
+    }
     step.rows.push_back(coordinates(N_("over q"), glm::vec4(unit.coords, 0), 3));
     if (unit.sample.cube) {
         const auto& [face, place, change] = *unit.sample.cube;

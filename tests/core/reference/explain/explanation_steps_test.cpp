@@ -109,6 +109,16 @@ INSTANTIATE_TEST_SUITE_P(
              "  at vertex 1 | 0.0000 | 0.0000 | 0.0000 | 1.0000\n  here"},
         Case{"Embossed", [](Scene& it) { it.passes[0].units[0].emboss.enabled = true; },
              "\nmoved towards the light | s | t | r | q\n  at vertex "},
+        // glTranslatef and then glScalef: s becomes 2 s + 0.5.
+        Case{"TextureMatrix",
+             [](Scene& it) {
+                 it.passes[0].units[0].matrix = {{.op = MatrixOp::Translate, .amount = {0.5F, 0, 0}}};
+                 it.models[0].units[0].matrix = {{.op = MatrixOp::Scale, .amount = {2, 1, 1}}};
+             },
+             "1 step of the model\nthe texture matrix | s | t | r | q\n"
+             "  s | 2.0000 | 0.0000 | 0.0000 | 0.5000\n  t | 0.0000 | 1.0000 | 0.0000 | 0.0000\n"
+             "  r | 0.0000 | 0.0000 | 1.0000 | 0.0000\n  q | 0.0000 | 0.0000 | 0.0000 | 1.0000\n"
+             "after the matrix"},
         Case{"Flat", [](Scene& it) { it.material.shadeModel = ShadeModel::Flat; }, "Flat shading"},
         Case{"Unlit", [](Scene& it) { it.passes[0].lighting = false; }, "Lighting is off"},
         Case{"Magnified", [](Scene& it) { it.passes[0].units[0].lodBias = -16; },
