@@ -1,6 +1,7 @@
 #include "texplorer/emit/code_writer.h"
 
 #include "texplorer/base/sentence_format.h"
+#include "texplorer/base/translatable.h"
 #include "texplorer/gl/argument_names.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/text/printable.h"
@@ -17,6 +18,8 @@ namespace texplorer::emit {
 namespace {
 
 constexpr std::string_view between = ", "; // numbers
+/// Why a parameter of a line that isn't of a frame doesn't move.
+constexpr const char* setOnce = N_("it is set only when the program starts");
 
 bool isVector(Kind kind) {
     return kind == Kind::Vec3 || kind == Kind::Vec4 || kind == Kind::Color;
@@ -264,7 +267,7 @@ void CodeWriter::add(std::vector<Part> parts, bool needed) {
 void CodeWriter::addSwitch(std::size_t enabling, const std::vector<Part>& parts, bool needed) {
     const std::string path = parts[enabling].path;
     if (taking_ == Taking::Still)
-        return keys_->refuse(path);
+        return keys_->refuse(path, setOnce);
     add({plain("if ("), {Part::Kind::Plain, keys_->use(path), path}, plain(")")}, needed);
     for (const char* function : {"glEnable", "glDisable"}) {
         std::vector<Part> called = parts;
@@ -294,7 +297,7 @@ bool CodeWriter::resolve(std::vector<Part>& parts) {
             continue;
         found = true;
         if (taking_ == Taking::Still)
-            keys_->refuse(part.path);
+            keys_->refuse(part.path, setOnce);
         else
             keys_->replace(part);
     }

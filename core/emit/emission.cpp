@@ -132,12 +132,14 @@ Emission::Emission(Flavour flavour, const Scene& drawn, const ImageSource& image
     lateFlips.resize(drawn.passes.size());
     for (std::size_t p = 0; p < drawn.passes.size(); ++p) {
         for (std::size_t u = 0; u < maxUnits && drawsAnything(drawn, drawn.passes[p]); ++u)
-            lateFlips[p][u] =
-                keys.decided(drawn, {unitPath(p, u, {keyOf<&Unit::texture>()})}, [&](const Scene& other) {
+            lateFlips[p][u] = keys.decided(
+                drawn, {unitPath(p, u, {keyOf<&Unit::texture>()})},
+                [&](const Scene& other) {
                     const Unit& unit = other.passes[p].units[u];
                     const TextureCode* code = unit.enabled ? codeOf(unit) : nullptr;
                     return code ? code->lateFlip : LateFlip::None;
-                });
+                },
+                N_("only some of its images are upside down"));
     }
     for (std::size_t i = 0; i < drawn.models.size(); ++i) {
         bool flips = false;
@@ -161,7 +163,7 @@ void Emission::refuseShapes() {
             if (const std::string param = fmt::format("{}.{}", path, key);
                 keys.moves(param) && models[m].drawing != Drawing::None &&
                 models[m].drawing != Drawing::Quadric)
-                keys.refuse(param);
+                keys.refuse(param, N_("shapes are made only when the program starts"));
         }
     }
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {
@@ -171,9 +173,10 @@ void Emission::refuseShapes() {
             for (const auto& [state, key, letter] : generatedCoordinates)
                 paths.push_back(unitPath(p, u, {key(), keyOf<&TexGen::enabled>()}));
             for (const std::size_t m : drawn)
-                static_cast<void>(keys.decided(scene, paths, [&](const Scene& other) {
-                    return takesCoords(other, other.passes[p], u, m);
-                }));
+                static_cast<void>(keys.decided(
+                    scene, paths,
+                    [&](const Scene& other) { return takesCoords(other, other.passes[p], u, m); },
+                    N_("only some of its values need the vertices' coordinates")));
         }
     }
 }

@@ -53,6 +53,9 @@ struct PushedMatrix {
     std::optional<StackTop> top;
 };
 
+/// Why what the light sees doesn't move by key frames.
+inline constexpr const char* computedLight = N_("the light's view is computed when the program is written");
+
 /// Why a flavour can't say a parameter, in one sentence.
 [[nodiscard]] inline tl::unexpected<Error> refuse(Sentence sentence, const std::string& path,
                                                   const std::string& key) {

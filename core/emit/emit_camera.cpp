@@ -171,7 +171,7 @@ void writeLightProjection(Emission& emission) {
         return std::tuple(isParallel, isParallel ? view.extent : 0, isCut, isCut ? view.farthest : 0);
     };
     const auto [isParallel, extent, isCut, farthest] =
-        emission.keys.decided(emission.scene, lightPaths(), computed);
+        emission.keys.decided(emission.scene, lightPaths(), computed, computedLight);
     std::vector<Part> range{
         plain(", "),
         number(projector.nearest, pathOf<&Scene::light, &Light::projector, &Projector::nearest>()),
@@ -197,9 +197,9 @@ void writeLightProjection(Emission& emission) {
 }
 
 void writeLightView(Emission& emission, const std::string& variable) {
-    const glm::mat4 view = emission.keys.decided(emission.scene, lightPaths(), [](const Scene& scene) {
-        return glm::mat4(lightView(scene.light).view);
-    });
+    const glm::mat4 view = emission.keys.decided(
+        emission.scene, lightPaths(),
+        [](const Scene& scene) { return glm::mat4(lightView(scene.light).view); }, computedLight);
     emission.writer.floats(variable, numbers({glm::value_ptr(view), 16}));
     emission.writer.add({call("glMultMatrixf"), plain(fmt::format("({});", variable))});
 }

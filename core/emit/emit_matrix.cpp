@@ -138,7 +138,7 @@ void writePassMatrix(Emission& emission, std::size_t pass, std::size_t unit, con
     for (std::size_t p = 0; p < pass && !isNew; ++p) { // while it is off it would leave its steps
         const std::string switched = unitPath(p, unit, {keyOf<&Unit::enabled>()});
         if (emission.keys.moves(switched))
-            emission.keys.refuse(switched);
+            emission.keys.refuse(switched, N_("a later pass goes on from its texture matrix"));
     }
     emission.isFresh[unit] = true;
     const bool pushes = state.matrixStart == MatrixStart::Push;

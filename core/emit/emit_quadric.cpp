@@ -23,7 +23,7 @@ bool isQuadric(Emission& emission, std::size_t index, const ModelForm& form) {
         !emission.keys.decided(scene,
                                {fmt::format("{}.{}", path, keyOf<&Model::slices>()),
                                 fmt::format("{}.{}", path, keyOf<&Model::stacks>())},
-                               hasFew) ||
+                               hasFew, Sentence("GLU draws at most {0} slices or stacks", maxOfGlu)) ||
         std::find(form.coords.begin() + 1, form.coords.end(), true) != form.coords.end())
         return false;
     const auto showsAxes = [&](std::size_t pass, std::size_t unit) {

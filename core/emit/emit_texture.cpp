@@ -59,8 +59,9 @@ Texture adapted(Emission& emission, std::size_t object) {
     Texture texture = emission.scene.textures[index];
     if (emission.isCore) { // which has no GL_CLAMP
         constexpr std::array wraps{&SamplerState::wrapS, &SamplerState::wrapT, &SamplerState::wrapR};
-        const auto others =
-            emission.keys.decided(emission.scene, samplerPaths(index), [&](const Scene& scene) {
+        const auto others = emission.keys.decided(
+            emission.scene, samplerPaths(index),
+            [&](const Scene& scene) {
                 const Texture& given = scene.textures[index];
                 const Wrap other = readsNearestAlone(given) ? Wrap::ClampToEdge : Wrap::ClampToBorder;
                 std::array<std::optional<Wrap>, 3> found;
@@ -69,7 +70,8 @@ Texture adapted(Emission& emission, std::size_t object) {
                         found.at(i) = other;
                 }
                 return found;
-            });
+            },
+            N_("OpenGL 3.3 has no GL_CLAMP"));
         for (std::size_t i = 0; i < wraps.size(); ++i)
             texture.*wraps.at(i) = others.at(i).value_or(texture.*wraps.at(i));
     }
@@ -116,14 +118,15 @@ std::optional<int> givenMaxLevel(Emission& emission, std::size_t object) {
         const int level = appliedTexture(texture, (*code)->shape, (*code)->lastLevel, {}).texture.maxLevel;
         return level == texture.maxLevel ? std::nullopt : std::optional(level);
     };
+    const Sentence anotherLevel = N_("OpenGL is given another maximum level than the scene's");
     const std::optional<int> level =
         emission.keys.decided(emission.scene,
                               texturePaths(index, {keyOf<&Texture::baseLevel>(), keyOf<&Texture::maxLevel>(),
                                                    keyOf<&Texture::minFilter>()}),
-                              given);
+                              given, anotherLevel);
     if (const std::string path = texturePaths(index, {keyOf<&Texture::maxLevel>()}).front();
         level && emission.keys.moves(path))
-        emission.keys.refuse(path);
+        emission.keys.refuse(path, anotherLevel);
     return level;
 }
 
@@ -158,10 +161,11 @@ void writeTexture(Emission& emission, std::size_t object) {
         callWith("glBindTexture", {plain(fmt::format("{}, textures[{}]", rowOf(target).name, object))}));
     const auto& code = emission.texels[object];
     // The driver makes levels above the base level alone.
-    const bool levelsFirst =
-        code && *code && isMadeByDriver((*code)->mipmaps) &&
-        emission.keys.decided(emission.scene, texturePaths(index, {keyOf<&Texture::baseLevel>()}),
-                              [i = index](const Scene& scene) { return scene.textures[i].baseLevel > 0; });
+    const bool levelsFirst = code && *code && isMadeByDriver((*code)->mipmaps) &&
+                             emission.keys.decided(
+                                 emission.scene, texturePaths(index, {keyOf<&Texture::baseLevel>()}),
+                                 [i = index](const Scene& scene) { return scene.textures[i].baseLevel > 0; },
+                                 N_("the driver makes the levels only once"));
     if (levelsFirst)
         writeTexels(emission, holder, object);
     writeParameters(emission, texture, object);

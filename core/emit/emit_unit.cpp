@@ -213,7 +213,7 @@ std::vector<Part> bindingCall(Emission& emission, const Unit& unit, const std::s
     // An index is the texture's own, but for one that is shown on a second target.
     const auto isOwn = [&](int texture) { return texture < count && objectOf(texture) == texture; };
     if (emission.keys.moves(path) && !std::ranges::all_of(emission.keys.indicesOf(path, unit.texture), isOwn))
-        emission.keys.refuse(path);
+        emission.keys.refuse(path, N_("one of its textures is shown on several targets"));
     const int object = objectOf(unit.texture);
     if (object == count)
         return {};

@@ -25,11 +25,12 @@ std::vector<Part> lightPart(const glm::vec4& color, const std::string& key) {
 std::vector<Part> colorParts(Emission& emission, const std::string& path, std::size_t count) {
     const auto given = [&](const Scene& scene) { return std::get<glm::vec4>(paramAt(scene, path)->value); };
     const auto clamped = [&](const Scene& scene) { return glm::clamp(given(scene), 0.0F, 1.0F); };
+    const Sentence outside = N_("some of its values are below 0 or above 1");
     const bool isSame = emission.keys.decided(
-        emission.scene, {path}, [&](const Scene& scene) { return clamped(scene) == given(scene); });
+        emission.scene, {path}, [&](const Scene& scene) { return clamped(scene) == given(scene); }, outside);
     const glm::vec4 color = clamped(emission.scene);
     if (!isSame && emission.keys.moves(path))
-        emission.keys.refuse(path);
+        emission.keys.refuse(path, outside);
     return numbers({&color.x, count}, isSame ? path : std::string());
 }
 
@@ -136,16 +137,19 @@ std::optional<float> limitedBias(Emission& emission, std::size_t pass, std::size
     std::vector<std::string> paths{own, texture};
     for (const int shown : emission.keys.indicesOf(texture, emission.scene.passes[pass].units[index].texture))
         paths.push_back(texturePaths(static_cast<std::size_t>(shown), {keyOf<&Texture::lodBias>()}).front());
-    const auto limited =
-        emission.keys.decided(emission.scene, paths, [&](const Scene& scene) -> std::optional<float> {
+    const Sentence isLimited = N_("the sum of the two biases reaches its limit");
+    const auto limited = emission.keys.decided(
+        emission.scene, paths,
+        [&](const Scene& scene) -> std::optional<float> {
             constexpr float limit = reference::SampleOptions{}.maxBias;
             const Unit& unit = scene.passes[pass].units[index];
             const float bias = scene.textures[static_cast<std::size_t>(unit.texture)].lodBias;
             const float sum = bias + unit.lodBias;
             return std::abs(sum) > limit ? std::optional(std::copysign(limit, sum) - bias) : std::nullopt;
-        });
+        },
+        isLimited);
     if (limited && emission.keys.moves(own))
-        emission.keys.refuse(own);
+        emission.keys.refuse(own, isLimited);
     return limited;
 }
 

@@ -48,9 +48,10 @@ std::optional<glsl::SampledUnit> sampledUnit(const Emission& emission, std::size
               texturePaths(index, {keyOf<&Texture::baseLevel>(), keyOf<&Texture::maxLevel>()})})
             paths.insert(paths.end(), more.begin(), more.end());
     }
-    return emission.keys.decided(emission.scene, paths, [&](const Scene& scene) {
-        return sampledUnit(emission, scene, scene.passes[pass].units[unit]);
-    });
+    return emission.keys.decided(
+        emission.scene, paths,
+        [&](const Scene& scene) { return sampledUnit(emission, scene, scene.passes[pass].units[unit]); },
+        N_("its values need different shaders"));
 }
 
 /// The scene with what shaders leave out: a bias of 0, and a material that is the colour alone. Where these
@@ -79,9 +80,10 @@ Result<std::vector<GlslPass>> passesOf(const Emission& emission) {
     std::vector<GlslPass> passes;
     const Scene shaped = emission.keys.empty() ? emission.scene : withAllTerms(emission);
     if (emission.isLit) // a directional light has other shaders
-        static_cast<void>(
-            emission.keys.decided(emission.scene, {pathOf<&Scene::light, &Light::position>()},
-                                  [](const Scene& scene) { return scene.light.position.w == 0; }));
+        static_cast<void>(emission.keys.decided(
+            emission.scene, {pathOf<&Scene::light, &Light::position>()},
+            [](const Scene& scene) { return scene.light.position.w == 0; },
+            N_("a directional light has other shaders")));
     for (std::size_t i = 0; i < emission.scene.passes.size(); ++i) {
         const Pass& drawn = emission.scene.passes[i];
         if (!drawsAnything(emission.scene, drawn))

@@ -74,10 +74,13 @@ void writeGlslShadowMaps(GlslEmission& glsl) {
         writer.open(fmt::format("static void drawShadowMap{}(Matrix view{})", map,
                                 spinsInLight(emission) ? ", double seconds" : ""));
         writer.comment("from eye coordinates to what the light sees");
-        const glm::dmat4 matrix = emission.keys.decided(scene, lightPaths(), [](const Scene& other) {
-            const LightView light = lightView(other.light);
-            return light.projection * light.view;
-        });
+        const glm::dmat4 matrix = emission.keys.decided(
+            scene, lightPaths(),
+            [](const Scene& other) {
+                const LightView light = lightView(other.light);
+                return light.projection * light.view;
+            },
+            computedLight);
         writer.matrix("const Matrix light = {{", doubles(matrix), "}};");
         writer.add(fmt::format("glBindFramebuffer(GL_FRAMEBUFFER, shadowMap{});", map));
         writer.add(callWith("glViewport", {plain("0, 0, "), size, plain(", "), size}));

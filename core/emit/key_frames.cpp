@@ -59,16 +59,16 @@ bool isOneOf(MemberId member, std::span<const MemberId> members) {
     return std::ranges::find(members, member) != members.end();
 }
 
-/// Whether a program can change a parameter in each frame: by a call, a uniform or a term of a matrix. The
-/// others decide which calls, functions and numbers it has.
-bool canMove(Flavour flavour, const ParamRow& row) {
+/// Why a program can't change a parameter in each frame, by a call, a uniform or a term of a matrix; empty:
+/// it can. The others decide which calls, functions and numbers it has.
+Sentence obstacleTo(Flavour flavour, const ParamRow& row) {
     constexpr std::array ofTexels{memberId<&Texture::internalFormat>,   memberId<&Texture::border>,
                                   memberId<&Texture::compressedFormat>, memberId<&Texture::stencilColor>,
                                   memberId<&ImageStep::factor>,         memberId<&ImageStep::bias>,
                                   memberId<&ImageStep::amount>};
-    constexpr std::array ofShape{memberId<&Unit::target>, memberId<&MeshData::primitive>};
+    constexpr std::array ofShape{memberId<&Model::shape>, memberId<&MeshData::primitive>};
     constexpr std::array counts{memberId<&Model::slices>, memberId<&Model::stacks>};
-    constexpr std::array withoutShaders{memberId<&Material::colorMaterial>};
+    constexpr std::array fixed{memberId<&Material::colorMaterial>, memberId<&Unit::target>};
     // What else moves is a part of the shaders.
     constexpr std::array withShaders{memberId<&Material::colorMaterial>, memberId<&Pass::depthTest>,
                                      memberId<&Pass::depthFunc>,         memberId<&Pass::blend>,
@@ -78,14 +78,20 @@ bool canMove(Flavour flavour, const ParamRow& row) {
                                      memberId<&Texture::wrapS>,          memberId<&Texture::wrapT>,
                                      memberId<&Texture::wrapR>,          memberId<&Texture::baseLevel>,
                                      memberId<&Texture::maxLevel>,       memberId<&Texture::compareFunc>};
-    if (isOneOf(row.member, ofTexels) || isOneOf(row.member, ofShape))
-        return false;
+    if (isOneOf(row.member, ofTexels))
+        return N_("texels are made only when the program starts");
+    if (isOneOf(row.member, ofShape))
+        return N_("shapes are made only when the program starts");
     if (isNumber(row.kind) || isOneOf(row.member, counts))
-        return true;
+        return {};
     if (row.kind != Kind::Bool && row.kind != Kind::Enum && row.kind != Kind::Int)
-        return false;
-    return flavour == Flavour::Glsl ? isOneOf(row.member, withShaders)
-                                    : !row.glCall.empty() && !isOneOf(row.member, withoutShaders);
+        return N_("it is a fixed part of the program");
+    const bool isGlsl = flavour == Flavour::Glsl;
+    const bool moves =
+        isGlsl ? isOneOf(row.member, withShaders) : !row.glCall.empty() && !isOneOf(row.member, fixed);
+    return moves    ? Sentence()
+           : isGlsl ? N_("its values need different shaders or calls")
+                    : N_("its values need different calls");
 }
 
 /// The value in the standing scene: one between two keys of a number, true of a switch, or the first one.
@@ -156,8 +162,8 @@ KeyFrames::KeyFrames(Flavour flavour, const Scene& scene)
         if (std::ranges::all_of(
                 param.keys, [&](const MovingParam::Key& key) { return key.value == param.keys[0].value; }))
             continue;
-        if (!canMove(flavour, *param.row)) {
-            refuse(path);
+        if (Sentence obstacle = obstacleTo(flavour, *param.row); !obstacle.empty()) {
+            refuse(path, std::move(obstacle));
             continue;
         }
         param.standing = standingValue(param);
@@ -197,7 +203,7 @@ void KeyFrames::replace(Part& part) {
     }
     const MovingParam& param = params_.find(part.path)->second;
     if (!isValueOf(part, *param.row, param.standing))
-        return refuse(part.path);
+        return refuse(part.path, N_("the program has a number that is computed from it"));
     part.text = part.negated ? "-" : "";
     part.text += use(part.path);
     if (part.component >= 0)
@@ -205,15 +211,17 @@ void KeyFrames::replace(Part& part) {
     part.kind = Part::Kind::Plain;
 }
 
-const std::string& KeyFrames::refused() const {
+RefusedParam KeyFrames::refused() const {
     const auto isForgotten = [](const auto& each) { return each.second.isLeft && !each.second.isUsed; };
     const auto forgotten = std::ranges::find_if(params_, isForgotten);
-    return refused_.empty() && forgotten != params_.end() ? forgotten->first : refused_;
+    return refused_.path.empty() && forgotten != params_.end()
+               ? RefusedParam{forgotten->first, N_("no call of a frame sets it")}
+               : refused_;
 }
 
-void KeyFrames::refuse(std::string_view path) {
-    if (refused_.empty())
-        refused_ = path;
+void KeyFrames::refuse(std::string_view path, Sentence why) {
+    if (refused_.path.empty())
+        refused_ = {std::string(path), std::move(why)};
 }
 
 std::vector<int> KeyFrames::indicesOf(std::string_view path, int now) const {
@@ -226,7 +234,7 @@ std::vector<int> KeyFrames::indicesOf(std::string_view path, int now) const {
 }
 
 void KeyFrames::refuseChanges(const Scene& scene, const std::vector<std::string>& paths,
-                              const std::function<bool(const Scene&)>& isSame) {
+                              const std::function<bool(const Scene&)>& isSame, const Sentence& why) {
     constexpr std::size_t maxCombinations = 1024; // a program that depends on more isn't written
     struct Moving {
         const std::string& path;
@@ -240,7 +248,7 @@ void KeyFrames::refuseChanges(const Scene& scene, const std::vector<std::string>
         if (std::ranges::any_of(paths, isBelow))
             moving.push_back({path, valuesOf(param)});
     }
-    if (moving.empty() || !refused_.empty())
+    if (moving.empty() || !refused_.path.empty())
         return;
     Scene other = scene;
     std::size_t count = 1; // of the combinations of the values of the first parameters
@@ -253,8 +261,12 @@ void KeyFrames::refuseChanges(const Scene& scene, const std::vector<std::string>
                 static_cast<void>(putBetween(other, moving[k].path, value, value, 0));
                 before *= moving[k].values.size();
             }
-            if (i >= maxCombinations || !isSame(other))
-                return refuse(moving[n].path);
+            if (i >= maxCombinations)
+                return refuse(moving[n].path, Sentence("a part of the program depends on more than {0} "
+                                                       "combinations of key frames",
+                                                       maxCombinations));
+            if (!isSame(other))
+                return refuse(moving[n].path, why);
         }
     }
 }

@@ -3,6 +3,7 @@
 // What of a program moves by key frames: a table of keys for each parameter, and a variable that holds what
 // they say in the present frame.
 
+#include "texplorer/base/translatable.h"
 #include "texplorer/emit/code.h"
 #include "texplorer/emit/flavour.h"
 #include "texplorer/scene/params/params.h"
@@ -38,6 +39,12 @@ struct MovingParam {
     [[nodiscard]] std::size_t components() const;
 };
 
+/// A parameter that a program can't move. No path: there is none.
+struct RefusedParam {
+    std::string path;
+    Sentence why; ///< the end of a sentence: "can't animate this, because …"
+};
+
 /// The key frames of a scene. A program is written once, of the standing scene, in which each parameter that
 /// moves has one of its values. The writer puts a variable where the value of such a parameter stands; where
 /// the program itself depends on the value, the parameter is refused.
@@ -66,14 +73,16 @@ public:
     /// Puts the variable in the place of a value, in a line of a frame. Refuses the parameter if the part
     /// isn't the value itself, but was computed of it.
     void replace(Part& part);
-    void refuse(std::string_view path);
+    void refuse(std::string_view path, Sentence why);
 
     /// What `decide` returns for the scene. It has to return the same for all values of the parameters with
     /// these paths, or below them; the first one that changes it is refused.
     template<class Decide>
-    auto decided(const Scene& scene, const std::vector<std::string>& paths, const Decide& decide) {
+    auto decided(const Scene& scene, const std::vector<std::string>& paths, const Decide& decide,
+                 const Sentence& why = N_("its values need different calls")) {
         auto decision = decide(scene);
-        refuseChanges(scene, paths, [&](const Scene& other) { return decide(other) == decision; });
+        refuseChanges(
+            scene, paths, [&](const Scene& other) { return decide(other) == decision; }, why);
         return decision;
     }
     /// Whether `test` is true for any value that an enumerant takes, which is `now` if it doesn't move.
@@ -88,19 +97,19 @@ public:
     [[nodiscard]] std::vector<int> indicesOf(std::string_view path, int now) const;
 
     /// The first parameter that the program can't move, or that was left to frames which don't set it;
-    /// empty: it moves all that it mentions.
-    [[nodiscard]] const std::string& refused() const;
+    /// none: it moves all that it mentions.
+    [[nodiscard]] RefusedParam refused() const;
 
     using Params = std::map<std::string, MovingParam, std::less<>>;
     [[nodiscard]] const Params& params() const { return params_; }
 
 private:
     void refuseChanges(const Scene& scene, const std::vector<std::string>& paths,
-                       const std::function<bool(const Scene&)>& isSame);
+                       const std::function<bool(const Scene&)>& isSame, const Sentence& why);
 
     Params params_;
     Scene standing_;
-    std::string refused_;
+    RefusedParam refused_;
 };
 
 /// One of a value's numbers, counted from 0.

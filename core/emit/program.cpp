@@ -52,13 +52,14 @@ Result<std::vector<Line>> program(Flavour flavour, const Scene& scene, const Ima
     }
     KeyFrames keys(flavour, scene);
     Result<std::vector<Line>> lines;
-    if (keys.refused().empty())
+    if (keys.refused().path.empty())
         lines = written(flavour, keys.standing(), images, options, codes, keys);
-    if (lines && !keys.refused().empty())
-        return fail(ErrorCode::Unsupported,
-                    Sentence("a program ({0}) can't animate this by key frames; texshot animate can",
-                             rowOf(flavour).label),
-                    keys.refused());
+    if (const RefusedParam refused = keys.refused(); lines && !refused.path.empty())
+        return fail(
+            ErrorCode::Unsupported,
+            Sentence("a program ({0}) can't animate this by key frames, because {1}; texshot animate can",
+                     rowOf(flavour).label, refused.why),
+            refused.path);
     return lines;
 }
 

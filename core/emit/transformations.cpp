@@ -89,11 +89,15 @@ void MatrixProduct::addMatrix(const std::string& name, const glm::mat4& matrix, 
 }
 
 void MatrixProduct::addProjector(const std::string& name) {
-    const glm::dmat4 matrix = emission_.keys.decided(emission_.scene, lightPaths(), [](const Scene& scene) {
-        constexpr glm::dmat4 toPicture{{0.5, 0, 0, 0}, {0, 0.5, 0, 0}, {0, 0, 0.5, 0}, {0.5, 0.5, 0.5, 1}};
-        const LightView light = lightView(scene.light);
-        return toPicture * light.projection * light.view;
-    });
+    const glm::dmat4 matrix = emission_.keys.decided(
+        emission_.scene, lightPaths(),
+        [](const Scene& scene) {
+            constexpr glm::dmat4 toPicture{
+                {0.5, 0, 0, 0}, {0, 0.5, 0, 0}, {0, 0, 0.5, 0}, {0.5, 0.5, 0.5, 1}};
+            const LightView light = lightView(scene.light);
+            return toPicture * light.projection * light.view;
+        },
+        computedLight);
     writer_.comment("from eye coordinates to the light's picture");
     writer_.matrix(fmt::format("const Matrix {} = {{{{", name), doubles(matrix), "}};");
     addFactor({plain(name)});

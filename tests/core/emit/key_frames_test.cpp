@@ -3,6 +3,7 @@
 #include "texplorer/emit/key_frames.h"
 #include "texplorer/emit/program.h"
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 #include <random>
@@ -179,6 +180,7 @@ struct RefusedCase {
     Flavour flavour;
     std::vector<KeyFrame> keys;
     const char* path;
+    const char* why;
 };
 
 TEST(EmittedKeyFrames, AreRefusedWhereTheProgramWouldBeAnother) {
@@ -190,29 +192,41 @@ TEST(EmittedKeyFrames, AreRefusedWhereTheProgramWouldBeAnother) {
     std::vector<KeyFrame> second{{0, "view.azimuth", "0"}, {1, "view.azimuth", "50"}};
     second.insert(second.end(), shape.begin(), shape.end());
     const RefusedCase cases[] = {
-        {"shape", Flavour::Fixed, shape, "models[0].shape"},
-        {"the second parameter", Flavour::Fixed, second, "models[0].shape"},
-        {"a vertex", Flavour::Fixed, coordinate, "models[0].texCoords0[3]"},
-        {"environment", Flavour::Glsl, mode, "passes[0].units[0].envMode"},
+        {"shape", Flavour::Fixed, shape, "models[0].shape", "shapes are made only when the program starts"},
+        {"the second parameter", Flavour::Fixed, second, "models[0].shape",
+         "shapes are made only when the program starts"},
+        {"a vertex", Flavour::Fixed, coordinate, "models[0].texCoords0[3]",
+         "it is a fixed part of the program"},
+        {"environment", Flavour::Glsl, mode, "passes[0].units[0].envMode",
+         "its values need different shaders or calls"},
         {"slices",
          Flavour::Glsl,
          {{0, "models[1].slices", "8"}, {1, "models[1].slices", "9"}},
-         "models[1].slices"},
+         "models[1].slices",
+         "shapes are made only when the program starts"},
         {"format",
          Flavour::Fixed,
          {{0, "textures[0].internalFormat", "GL_RGB"}, {1, "textures[0].internalFormat", "GL_ALPHA"}},
-         "textures[0].internalFormat"},
+         "textures[0].internalFormat",
+         "texels are made only when the program starts"},
         {"visible",
          Flavour::Fixed,
          {{0, "models[0].visible", "true"}, {1, "models[0].visible", "false"}},
-         "models[0].visible"},
+         "models[0].visible",
+         "its values need different calls"},
+        {"a light at infinity",
+         Flavour::Glsl,
+         {{0, "light.position", "0,0,1,0"}, {1, "light.position", "0,0,1,1"}},
+         "light.position",
+         "a directional light has other shaders"},
     };
     for (const RefusedCase& each : cases) {
         const auto lines = programOf(sceneWith(each.keys), each.flavour);
         ASSERT_FALSE(lines) << each.name;
         EXPECT_EQ(lines.error().where, each.path) << each.name;
         EXPECT_THAT(lines.error().message,
-                    HasSubstr("can't animate this by key frames; texshot animate can"));
+                    HasSubstr(fmt::format("can't animate this by key frames, because {}; texshot animate can",
+                                          each.why)));
     }
     EXPECT_TRUE(programOf(sceneWith(mode)));
 }
@@ -228,6 +242,24 @@ TEST(EmittedKeyFrames, AreRefusedWhereAnotherNameStandsForThem) {
     EXPECT_EQ(lines.error().where, "textures[0].wrapS");
     scene.timeline.keys[1].value = "GL_CLAMP_TO_EDGE";
     EXPECT_TRUE(programOf(scene, Flavour::Glsl));
+}
+
+TEST(EmittedKeyFrames, AreRefusedWhereTooManyCombinationsDecide) {
+    Scene scene = defaultScene();
+    // Each of the four components is the least and the greatest at a key of its own: 8 values.
+    for (const char* path : {"light.ambient", "light.diffuse", "light.modelAmbient", "light.specular"}) {
+        for (int i = 0; i < 8; ++i) {
+            glm::vec4 color(0.5F);
+            color[i / 2] = static_cast<float>(i % 2);
+            scene.timeline.keys.push_back({static_cast<float>(i), path,
+                                           fmt::format("{},{},{},{}", color.r, color.g, color.b, color.a)});
+        }
+    }
+    emit::KeyFrames keys(Flavour::Fixed, scene);
+    EXPECT_TRUE(keys.decided(scene, {"light"}, [](const Scene&) { return true; }));
+    EXPECT_EQ(keys.refused().path, "light.specular"); // 8 * 8 * 8 are 512
+    EXPECT_EQ(keys.refused().why,
+              "a part of the program depends on more than 1024 combinations of key frames");
 }
 
 TEST(EmittedKeyFrames, OfTheBaseLevelMoveUnlessTheDriverMakesLevels) {
@@ -284,7 +316,7 @@ Scene movingEverything(const Scene& scene, std::span<const Scene> others, Flavou
             if (value && checkMovable(scene, path, *value))
                 one.timeline.keys.push_back({static_cast<float>(i), path, *value});
         }
-        if (emit::KeyFrames(flavour, one).refused().empty())
+        if (emit::KeyFrames(flavour, one).refused().path.empty())
             moving.timeline.keys.insert(moving.timeline.keys.end(), one.timeline.keys.begin(),
                                         one.timeline.keys.end());
     });
@@ -337,7 +369,7 @@ TEST(EmittedKeyFrames, AreVariablesWhereverTheyStand) {
                                        ? emit::glslProgram(keys.standing(), {}, {}, codes, keys)
                                        : emit::fixedProgram(keys.standing(), {}, {}, codes, keys);
                 ASSERT_TRUE(other) << describe(other.error());
-                EXPECT_EQ(keys.refused(), "");
+                EXPECT_EQ(keys.refused().path, "");
                 const auto [line, otherLine] = std::ranges::mismatch(*program, *other, emit::readsAs);
                 EXPECT_TRUE(line == program->end() && otherLine == other->end())
                     << "scene " << i << ": " << (line == program->end() ? "" : emit::textOf(*line));

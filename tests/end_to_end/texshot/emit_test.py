@@ -79,7 +79,7 @@ class Emit(Texshot):
         self.assertEqual(bytes(texels), turned.tobytes())
 
     def test_what_a_program_has_no_words_for_is_one_sentence(self):
-        self.assertIn("models[0].shape: a program (C with OpenGL 2.1) can't animate this by key frames", self.refused(self.keyed()))
+        self.assertIn("models[0].shape: a program (C with OpenGL 2.1) can't animate this by key frames, because shapes are made", self.refused(self.keyed()))
         self.assertIn("--as", self.refused("--as", "assembler", code=2))
         self.assertIn("internalFormat", self.refused("--preset", "shadow-map", "--set", "textures[0].internalFormat=GL_RGBA",
                                                      self.shadowed()))

@@ -175,7 +175,7 @@ class LessonPage(Texshot):
         (folder / "photo.json").write_text(json.dumps({"version": 1, "textures": [{"source": "file", "file": "photo.png", "minFilter": "GL_LINEAR"}],
                                                        "models": [{}], "passes": [{"units": [{"enabled": True}]}]}))
         text = html.unescape(self.page("--lesson", folder))
-        self.assertEqual(text.count("can't animate this by key frames; texshot animate can"), 2)
+        self.assertEqual(text.count("can't animate this by key frames, because shapes are made only when the program starts; texshot animate can"), 2)
         self.assertIn("C with OpenGL 3.3: textures[0].border: textures have no border in OpenGL 3.3's core profile", text)
         self.assertRegex(text, r"C with OpenGL 2\.1: the program contains \d+ MB of texels")
         self.assertEqual({name for name in self.files() if name.startswith("programs/")}, {"programs/mine/mine-2.c"})
