@@ -89,8 +89,7 @@ float codeNumber(const Session& session, const emit::Part& part, ParamPlace plac
             ImGui::PushStyleColor(each, unseen);
     const float low = part.negated ? -range.max : range.min;
     const float high = part.negated ? -range.min : range.max;
-    const bool edited = ImGui::DragFloat("##number", &shown, range.step, low, high, format.c_str(),
-                                         ImGuiSliderFlags_AlwaysClamp);
+    const bool edited = dragFloat("##number", shown, range.step, low, high, format.c_str());
     ImGui::PopStyleVar();
     if (!isTyped) {
         ImGui::PopStyleColor(4);

@@ -18,8 +18,7 @@ constexpr std::array componentShift{11, 5, 0};
 /// A draggable integer, with the bar of its component on the left.
 bool dragInteger(const std::string& name, int& value, int max, float width, int component) {
     ImGui::SetNextItemWidth(width);
-    const bool changed = ImGui::DragInt(fmt::format("##{}", name).c_str(), &value, 0.15F, 0, max, "%d",
-                                        ImGuiSliderFlags_AlwaysClamp);
+    const bool changed = dragInt(fmt::format("##{}", name).c_str(), value, 0.15F, 0, max);
     if (ImGui::IsItemHovered())
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     const ImVec2 low = ImGui::GetItemRectMin();

@@ -103,8 +103,7 @@ void fileOptions(const Session& session) {
     const auto number = [&](const char* name, int SheetChoice::*member) {
         int value = choice.*member;
         ImGui::SetNextItemWidth(em * 4.5F);
-        if (ImGui::DragInt(name, &value, 1, 1, reference::maxPictureExtent, "%d",
-                           ImGuiSliderFlags_AlwaysClamp))
+        if (dragInt(name, value, 1, 1, reference::maxPictureExtent))
             act(session, [member, value](Session& changed) { changed.sheet.*member = value; });
         markDraggable();
         item(fmt::format("sheet file:{}", name + 2),

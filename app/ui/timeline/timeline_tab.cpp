@@ -111,8 +111,7 @@ void easingChoice(const Session& session, const TimelineTabState::ChosenKey& cho
 void timeOfKey(const Session& session, const TimelineTabState::ChosenKey& chosen, float time) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 5);
     float wanted = time;
-    if (ImGui::DragFloat("##time", &wanted, 0.01F, 0, maxKeyTime, secondsFormat().c_str(),
-                         ImGuiSliderFlags_AlwaysClamp) &&
+    if (dragFloat("##time", wanted, 0.01F, 0, maxKeyTime, secondsFormat().c_str()) &&
         moveKey(session, chosen.number, snapped(wanted, 0)))
         requestTime(session, snapped(wanted, 0));
     markDraggable();

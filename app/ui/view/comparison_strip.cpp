@@ -112,8 +112,7 @@ void toleranceField(const Session& session, Flow& flow, const Difference* differ
     ImGui::SameLine(0, narrow);
     ImGui::SetNextItemWidth(field);
     int tolerance = session.view.tolerance;
-    if (ImGui::DragInt("##tolerance", &tolerance, 0.1F, 0, ViewSettings::maxTolerance, "%d",
-                       ImGuiSliderFlags_AlwaysClamp))
+    if (dragInt("##tolerance", tolerance, 0.1F, 0, ViewSettings::maxTolerance))
         act(session, [tolerance](Session& changed) { changed.view.tolerance = tolerance; });
     item("tolerance", "Differences up to this value are ignored. Drag it, or double-click to type a number.");
     ImGui::SameLine(0, narrow);

@@ -2,11 +2,14 @@
 
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/typed_number.h"
 #include "app/ui/widgets/widget_places.h"
 #include "texplorer/base/translatable.h"
 
 #include <fmt/core.h>
 #include <imgui_internal.h> // whether a number is being typed
+
+#include <cmath>
 
 namespace texplorer::ui {
 namespace {
@@ -63,14 +66,29 @@ void markDraggable() {
     draw.AddTriangleFilled({right + size, y}, {right, y + size}, {right, y - size}, tint);
 }
 
+bool dragFloat(const char* id, float& value, float step, float min, float max, const char* format) {
+    const std::optional<bool> typed = typedNumber(id, value, min, max, format);
+    return typed ? *typed
+                 : ImGui::DragFloat(id, &value, step, min, max, format, ImGuiSliderFlags_AlwaysClamp);
+}
+
+bool dragInt(const char* id, int& value, float step, int min, int max, const char* format) {
+    auto number = static_cast<float>(value);
+    const std::optional<bool> typed =
+        typedNumber(id, number, static_cast<float>(min), static_cast<float>(max), "%.0f");
+    if (!typed)
+        return ImGui::DragInt(id, &value, step, min, max, format, ImGuiSliderFlags_AlwaysClamp);
+    value = *typed ? static_cast<int>(std::lround(number)) : value;
+    return *typed;
+}
+
 bool dragNumber(const char* id, float& value, const Range& range, int component, const char* instead,
                 const char* letter) {
-    const bool typing = ImGui::TempInputIsActive(ImGui::GetID(id)); // at the left end, like the letter
     const std::string format =
         component >= 0 ? numberFormat({range.min, range.max, range.step, {}}) : numberFormat(range);
-    const bool changed =
-        ImGui::DragFloat(id, &value, range.step, range.min, range.max, instead ? tr(instead) : format.c_str(),
-                         ImGuiSliderFlags_AlwaysClamp);
+    const bool typing = ImGui::TempInputIsActive(ImGui::GetID(id)); // at the left end, like the letter
+    const bool changed = dragFloat(id, value, range.step, range.min, range.max,
+                                   instead && !typing ? tr(instead) : format.c_str());
     markDraggable();
     if (component >= 0) {
         const ImVec2 low = ImGui::GetItemRectMin();
@@ -89,8 +107,11 @@ bool slideNumber(const char* id, float& value, const Range& range, float end) {
     grab.w *= 0.4F;
     ImGui::PushStyleColor(ImGuiCol_SliderGrab, grab);
     ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, grab);
-    const bool changed = ImGui::SliderFloat(id, &value, range.min, end, "%.1f",
-                                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    const std::optional<bool> typed = typedNumber(id, value, range.min, end, "%.1f");
+    const bool changed =
+        typed ? *typed
+              : ImGui::SliderFloat(id, &value, range.min, end, "%.1f",
+                                   ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
     ImGui::PopStyleColor(2);
     return changed;
 }

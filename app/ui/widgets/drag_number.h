@@ -16,6 +16,11 @@ namespace texplorer::ui {
 /// The decimals of a number that is dragged in steps.
 [[nodiscard]] int decimalsOf(const Range& range);
 
+/// ImGui::DragFloat and DragInt within the limits, for numbers that are typed as people write them
+/// (readNumber).
+bool dragFloat(const char* id, float& value, float step, float min, float max, const char* format);
+bool dragInt(const char* id, int& value, float step, int min, int max, const char* format = "%d");
+
 /// A draggable number in the current item width, with the colour of its component on its left (-1: none).
 /// `instead` is shown instead of the number, `letter` before it.
 bool dragNumber(const char* id, float& value, const Range& range, int component,

@@ -118,8 +118,10 @@ void letTabMove(bool moves) {
 #endif
 
 void addCharacter(char32_t character) {
-    const ImGuiID field = ImGui::GetActiveID();
-    const bool isPoint = character == ',' && field != 0 && ImGui::TempInputIsActive(field);
+    constexpr ImGuiInputTextFlags ofNumbers =
+        ImGuiInputTextFlags_CharsDecimal | ImGuiInputTextFlags_CharsScientific;
+    const ImGuiInputTextState* field = ImGui::GetInputTextState(ImGui::GetActiveID());
+    const bool isPoint = character == ',' && field && (field->Flags & ofNumbers) != 0;
     ImGui::GetIO().AddInputCharacter(isPoint ? '.' : character);
 }
 

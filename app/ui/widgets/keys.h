@@ -52,8 +52,8 @@ void setKey(int code, bool down);
 /// Passes the held modifiers, on either side of the keyboard, to Dear ImGui, before the frame.
 void setModifiers(bool control, bool shift, bool alt, bool super);
 
-/// Passes a typed character to Dear ImGui, before the frame. In the field of a number a comma is the decimal
-/// point: Dear ImGui 1.86 would drop it, so that 2,5 became 25.
+/// Passes a typed character to Dear ImGui, before the frame. In its own fields of numbers, those of sliders,
+/// a comma is the decimal point: Dear ImGui 1.86 would drop it, so that 2,5 became 25.
 void addCharacter(char32_t character);
 
 /// Gives the keyboard to the next widget of the window.

@@ -56,9 +56,8 @@ const char* insteadOfNumber(const ParamRow& row, const Line& line) {
 
 bool intWidget(const ParamRow& row, int& value, const char* instead) {
     const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##value")); // reads the number by the format
-    const bool changed = ImGui::DragInt(
-        "##value", &value, row.range.step, static_cast<int>(row.range.min), static_cast<int>(row.range.max),
-        instead && !typing ? tr(instead) : "%d", ImGuiSliderFlags_AlwaysClamp);
+    const bool changed = dragInt("##value", value, row.range.step, static_cast<int>(row.range.min),
+                                 static_cast<int>(row.range.max), instead && !typing ? tr(instead) : "%d");
     markDraggable();
     return changed;
 }

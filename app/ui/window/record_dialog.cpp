@@ -25,8 +25,7 @@ void lineName(const char* words) {
 
 bool secondsField(const char* id, float& value, float min) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);
-    const bool changed = ImGui::DragFloat(id, &value, 0.05F, min, maxKeyTime, secondsFormat().c_str(),
-                                          ImGuiSliderFlags_AlwaysClamp);
+    const bool changed = dragFloat(id, value, 0.05F, min, maxKeyTime, secondsFormat().c_str());
     markDraggable();
     noteItem(fmt::format("record:{}", id + 2));
     return changed;
@@ -35,7 +34,7 @@ bool secondsField(const char* id, float& value, float min) {
 void extentField(const Session& session, const char* id, int RecordingChoice::*extent) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);
     int value = session.recording.*extent;
-    if (ImGui::DragInt(id, &value, 1, 1, reference::maxPictureExtent, "%d", ImGuiSliderFlags_AlwaysClamp))
+    if (dragInt(id, value, 1, 1, reference::maxPictureExtent))
         act(session, [extent, value](Session& changed) { changed.recording.*extent = value; });
     markDraggable();
     noteItem(fmt::format("record:{}", id + 2));
@@ -81,7 +80,7 @@ void lengthLines(const Session& session) {
     lineName(N_("Pictures a second"));
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);
     float perSecond = choice.perSecond;
-    if (ImGui::DragFloat("##perSecond", &perSecond, 0.2F, 1, 100, "%.4g", ImGuiSliderFlags_AlwaysClamp))
+    if (dragFloat("##perSecond", perSecond, 0.2F, 1, 100, "%.4g"))
         act(session, [perSecond](Session& changed) { changed.recording.perSecond = perSecond; });
     markDraggable();
     noteItem("record:perSecond");
