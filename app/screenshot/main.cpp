@@ -92,7 +92,6 @@ int main(int argc, char** argv) {
         return success;
     }
     sayCrashes();
-    watchInterrupts();
     CommandLine line("texshot", TEXPLORER_VERSION,
                      "Texplorer without a display: draw scenes, inspect texture files.");
     line.footer(fmt::format(
@@ -123,6 +122,9 @@ int main(int argc, char** argv) {
     const std::span<char*> words(argv, static_cast<std::size_t>(argc));
     const Command* command = namedCommand(line, words);
     noteCommand(command ? command->name() : "");
+    if (command && asksForJson(*command, words))
+        expectDocument();
+    watchInterrupts();
     int status = failure;
     try {
         status = perform(line, argc, argv, start);
@@ -131,9 +133,8 @@ int main(int argc, char** argv) {
     } catch (const std::exception& error) { // still one sentence and an exit status
         complain({ErrorCode::Unsupported, reasonOf(error), {}});
     }
-    const std::string error = errorText();
-    if (status != success && !error.empty() && !hasPrinted() && command && asksForJson(*command, words))
-        static_cast<void>(print(error));
+    if (status != success)
+        printProblems();
     ignoreInterrupts();
     return status;
 }

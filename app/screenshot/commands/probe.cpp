@@ -125,7 +125,8 @@ ExitCode findPixels(const ProbeOptions& options, const ShotRequest& request) {
     }
     complainAbout(found->problems);
     const Result<void> printed =
-        options.json ? writeJson(*found, *question, print) : print(asText(*found, *question));
+        options.json ? printPieces([&](const Print& piece) { return writeJson(*found, *question, piece); })
+                     : print(asText(*found, *question));
     return printed ? success : complain(printed.error());
 }
 

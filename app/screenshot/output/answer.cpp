@@ -10,7 +10,7 @@
 namespace texplorer::screenshot {
 namespace {
 
-bool printedSomething = false; // by the thread that does what the call asks for
+bool isDocumentExpected = false;
 
 } // namespace
 
@@ -21,13 +21,25 @@ ExitCode complain(const Error& error, ExitCode code) {
 }
 
 Result<void> print(std::string_view text) {
-    printedSomething = printedSomething || !text.empty();
-    outputBegins();
-    return writeStandardOutput(viewBytes(printable(text, LineBreaks::Keep)));
+    return printPieces([text](const Print& piece) { return piece(text); });
 }
 
-bool hasPrinted() {
-    return printedSomething;
+Result<void> printPieces(const std::function<Result<void>(const Print&)>& make) {
+    const Printing now;
+    return make([](std::string_view piece) {
+        return writeStandardOutput(viewBytes(printable(piece, LineBreaks::Keep)));
+    });
+}
+
+void expectDocument() {
+    isDocumentExpected = true;
+}
+
+void printProblems() {
+    if (!isDocumentExpected || hasPrinted())
+        return;
+    if (const std::string error = errorText(); !error.empty())
+        static_cast<void>(print(error));
 }
 
 } // namespace texplorer::screenshot

@@ -4,6 +4,7 @@
 
 #include "texplorer/base/result.h"
 
+#include <functional>
 #include <string_view>
 
 namespace texplorer::screenshot {
@@ -28,7 +29,16 @@ ExitCode complain(const Error& error, ExitCode code = failure);
 /// Parts that come from outside are made printable before, so that they bring no lines of their own.
 [[nodiscard]] Result<void> print(std::string_view text);
 
-/// Whether print() has printed something.
-[[nodiscard]] bool hasPrinted();
+using Print = std::function<Result<void>(std::string_view)>;
+
+/// The same in pieces: `make` prints them.
+[[nodiscard]] Result<void> printPieces(const std::function<Result<void>(const Print&)>& make);
+
+/// The call asks for a document on standard output (json_text.h): it prints one, also if it fails. Call it
+/// before other threads run.
+void expectDocument();
+
+/// Prints the document of a call that has failed, if one is expected and nothing was printed.
+void printProblems();
 
 } // namespace texplorer::screenshot

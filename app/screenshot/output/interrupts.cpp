@@ -1,5 +1,6 @@
 #include "app/screenshot/output/interrupts.h"
 
+#include <chrono>
 #include <csignal>
 #include <pthread.h>
 #include <system_error>
@@ -10,10 +11,13 @@ namespace texplorer::screenshot {
 namespace {
 
 // All threads block the signals; one waits for them, and may do what a signal handler may not.
-std::mutex ending; // held by whom may not be ended now
+std::recursive_mutex ending; // held by whom may not be ended now
+std::timed_mutex printing;   // held while standard output is written
 std::stop_source* asked = nullptr;
 int received = 0;
 bool outputBegun = false;
+bool printed = false;
+constexpr std::chrono::seconds maxPrinting{5}; // then nobody reads it
 
 void waitForSignals(sigset_t signals) {
     for (int signal = 0; sigwait(&signals, &signal) == 0;) {
@@ -21,7 +25,11 @@ void waitForSignals(sigset_t signals) {
         received = signal;
         if (asked != nullptr && asked->request_stop())
             continue;
-        _exit(complainInterrupted()); // destructors would pull things away from the other threads
+        if (printing.try_lock_for(maxPrinting)) // not in the middle of a document
+            printing.unlock();
+        const ExitCode status = complainInterrupted();
+        printProblems();
+        _exit(status); // destructors would pull things away from the other threads
     }
 }
 
@@ -72,6 +80,17 @@ void outputBegins() {
 Uninterrupted::Uninterrupted()
     : lock_(ending) {
     outputBegun = true;
+}
+
+Printing::Printing() {
+    const std::lock_guard lock(ending);
+    outputBegun = printed = true;
+    lock_ = std::unique_lock(printing);
+}
+
+bool hasPrinted() {
+    const std::lock_guard lock(ending);
+    return printed;
 }
 
 } // namespace texplorer::screenshot

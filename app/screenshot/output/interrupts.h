@@ -8,9 +8,9 @@
 
 namespace texplorer::screenshot {
 
-/// From here on Ctrl+C, SIGTERM and SIGHUP end the program with a sentence and, as a shell has it, 128 and
-/// the signal's number; a signal that is ignored stays so (nohup). Called once, before there is another
-/// thread.
+/// From here on Ctrl+C, SIGTERM and SIGHUP end the program with a sentence, the document that is expected
+/// (answer.h) and, as a shell has it, 128 and the signal's number; a signal that is ignored stays so (nohup).
+/// Called once, before there is another thread.
 void watchInterrupts();
 
 /// From here on they do nothing. Called last: objects are then destroyed that ending the program would use.
@@ -41,7 +41,20 @@ public:
     Uninterrupted();
 
 private:
-    std::unique_lock<std::mutex> lock_;
+    std::unique_lock<std::recursive_mutex> lock_;
 };
+
+/// While it lives standard output is written: a signal ends the program after that, or when it takes too
+/// long.
+class Printing {
+public:
+    Printing();
+
+private:
+    std::unique_lock<std::timed_mutex> lock_;
+};
+
+/// Whether something was printed, or will be: standard output has its document.
+[[nodiscard]] bool hasPrinted();
 
 } // namespace texplorer::screenshot

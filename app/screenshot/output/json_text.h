@@ -15,7 +15,7 @@ namespace texplorer::screenshot {
 //   […]}
 // "results" has what the command says of each file, picture or row; "problems" the errors of standard error.
 
-/// The command whose document it is, "" before it is known. Call it before other threads run.
+/// The command whose document it is, "" if the call names none. Call it before other threads run.
 void noteCommand(std::string_view command);
 
 /// Adds a problem. Any thread may.

@@ -78,7 +78,7 @@ Result<void> Output::write(ByteView bytes) const {
 
 Result<void> Output::put(ByteView bytes) const {
     if (isStandardOutput(path_)) {
-        outputBegins();
+        const Printing now;
         return writeStandardOutput(bytes);
     }
     if (stream_.valid()) {

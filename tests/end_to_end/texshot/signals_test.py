@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from texshot import TEXSHOT, Texshot, bmp
+from texshot import TEXSHOT, Texshot, bmp, document
 
 
 class Signals(Texshot):
@@ -87,6 +87,36 @@ class Signals(Texshot):
                 work.send_signal(kill)
                 self.assertEqual(work.communicate(timeout=60)[1], b"texshot: interrupted; nothing was written\n")
                 self.assertEqual(work.returncode, code)
+
+    def test_with_json_an_interrupted_call_prints_its_document(self):
+        pipe = self.path / "pipe"
+        os.mkfifo(pipe)
+        for kill, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            for command in (["check", "-"], ["info", "-"], ["validate", "-"], ["probe", "-", "--at", "1,1"],
+                            ["shot", "-o", self.path / "a.png", "-"], ["shot", "--size", "8x8", "-o", pipe]):
+                with self.subTest(command=command, kill=kill):
+                    work = subprocess.Popen([TEXSHOT, *map(str, command), "--json"], stdin=subprocess.PIPE,
+                                            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                    self.wait_until_it_watches(work)  # then it waits for its input, or a reader
+                    work.send_signal(kill)
+                    answer, work.stdin = work.stdout.read(), work.stdin.close()
+                    self.assertEqual(work.communicate(timeout=60)[1], b"texshot: interrupted; nothing was written\n")
+                    self.assertEqual(work.returncode, code)
+                    told = document(answer)
+                    self.assertEqual((told["command"], told["results"]), (command[0], []))
+                    one, = told["problems"]
+                    self.assertEqual((one["message"], one["code"]), ("interrupted; nothing was written", "Cancelled"))
+                    self.assertIsInstance(one["id"], int)
+
+    def test_a_document_is_printed_to_its_end(self):
+        whole = self.succeeds("params", "--json")
+        self.assertGreater(len(whole), 1 << 17, "else the pipe takes it at once")
+        work = subprocess.Popen([TEXSHOT, "params", "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        begin = os.read(work.stdout.fileno(), 1)  # now it waits for room
+        work.send_signal(signal.SIGTERM)
+        rest, said = work.communicate(timeout=60)
+        self.assertEqual(begin + rest, whole)
+        self.assertIn((work.returncode, said), ((143, b"texshot: interrupted\n"), (0, b"")))
 
     def test_a_signal_that_is_ignored_stays_so(self):
         pipe = self.path / "pipe"
