@@ -20,7 +20,7 @@
 #include <chrono>
 #include <new>
 #include <span>
-#include <string_view>
+#include <string>
 #include <vector>
 
 namespace texplorer::screenshot {
@@ -41,23 +41,33 @@ const std::vector<CommandGroup> groups{
 };
 
 /// The command that a call names, as far as one sees before the line is understood; nullptr: none.
-const Command* namedCommand(const CommandLine& line, std::span<char*> words) {
-    for (const std::string_view word : words) {
-        const auto command =
-            std::ranges::find_if(line.commands(), [&](const auto& each) { return each->name() == word; });
-        if (command != line.commands().end())
-            return command->get();
-    }
-    return nullptr;
+const Command* namedCommand(const CommandLine& line, std::span<const std::string> words) {
+    const auto name = std::ranges::find_if(words, [](const auto& word) { return !word.starts_with("-"); });
+    const auto command =
+        name == words.end()
+            ? line.commands().end()
+            : std::ranges::find_if(line.commands(), [&](const auto& each) { return each->name() == *name; });
+    return command == line.commands().end() ? nullptr : command->get();
 }
 
-/// Whether the answer is to be JSON on standard output: also a call that is wrong gets an answer.
-bool asksForJson(const Command& command, std::span<char*> words) {
+/// Whether a file is named for the JSON.
+bool takesFileForJson(const Command& command) {
     const auto json = std::ranges::find(command.options(), std::string("--json"), &Option::name);
-    const auto given = std::ranges::find(words, std::string_view("--json"));
-    if (json == command.options().end() || given == words.end())
+    return json != command.options().end() && !json->isFlag();
+}
+
+/// Whether the answer is to be JSON on standard output. A call that is wrong gets an answer, too, so this is
+/// seen before the line is understood.
+bool asksForJson(const Command* command, std::span<const std::string> words) {
+    const auto given = std::ranges::find_if(
+        words, [](const auto& word) { return word == "--json" || word.starts_with("--json="); });
+    if (given == words.end() || std::find(words.begin(), given, "--") != given)
         return false;
-    return json->isFlag() || (given + 1 != words.end() && isStandardOutput(*(given + 1)));
+    if (command == nullptr || !takesFileForJson(*command))
+        return true;
+    if (const std::size_t sign = given->find('='); sign != std::string::npos)
+        return isStandardOutput(given->substr(sign + 1));
+    return given + 1 == words.end() || isStandardOutput(*(given + 1));
 }
 
 int perform(CommandLine& line, int argc, char** argv, std::chrono::steady_clock::time_point start) {
@@ -119,10 +129,10 @@ int main(int argc, char** argv) {
     addHelpSections(line);
     line.addWords();
 
-    const std::span<char*> words(argv, static_cast<std::size_t>(argc));
+    const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     const Command* command = namedCommand(line, words);
     noteCommand(command ? command->name() : "");
-    if (command && asksForJson(*command, words))
+    if (asksForJson(command, words))
         expectDocument();
     watchInterrupts();
     int status = failure;

@@ -148,6 +148,34 @@ class Calls(Texshot):
             result = texshot(command, "--json", "--nonsense")
             self.assertIn("there is no option --nonsense", problem(result.stdout))
 
+    def test_with_json_in_any_spelling_a_wrong_call_is_json(self):
+        file = self.path / "test.json"
+        for command, said, *call in [
+            ("check", "--json: expected no value", "check", "--json=yes"),
+            ("shot", "--out is missing", "shot", "--json"),
+            ("info", 'expected a command, found "--json=yes"', "--json=yes", "info"),
+            ("", 'there is no command "bogus"', "bogus", "--json"),
+            ("", 'there is no command "bogus"', "bogus", "check", "--json"),
+            ("", "expected a command", "--json"),
+            ("emit", "there is no option --json", "emit", "--json"),
+            ("help", "there is no option --json", "help", "check", "--json"),
+            ("test", "SUITE is missing", "test", "--json=-"),
+            ("test", "there is no option --nonsense", "test", "a", "--json", "-", "--nonsense"),
+            ("test", "expected a value, found none", "test", "a", "--json"),
+            (None, "there is no option --nonsense", "test", "a", "--nonsense", f"--json={file}"),
+            (None, "there is no option --nonsense", "check", "--nonsense", "--", "--json"),
+        ]:
+            with self.subTest(call):
+                result = texshot(*call)
+                self.assertEqual(result.returncode, 2, result)
+                self.assertIn(said, result.stderr.decode())
+                if command is None:
+                    self.assertEqual(result.stdout, b"")
+                else:
+                    self.assertEqual((document(result.stdout)["command"], "texshot: " + problem(result.stdout) + "\n"),
+                                     (command, result.stderr.decode()))
+        self.assertFalse(file.exists())
+
     def test_a_program_can_take_apart_where_a_problem_is(self):
         folder = self.path / "a: b"
         folder.mkdir()

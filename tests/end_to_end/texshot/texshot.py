@@ -103,7 +103,7 @@ class Texshot(unittest.TestCase):
         self.assertEqual(result.returncode, code, said)
         self.assertRegex(said, r"\Atexshot: [^\n]+\n\Z", "one sentence, and who says it")
         self.assertIn(expected, said)
-        json_flag = "--json" in arguments and (arguments[0] != "test" or arguments[arguments.index("--json") + 1] == "-")
+        json_flag = "--json=no" in arguments or "--json" in arguments and (arguments[0] != "test" or arguments[arguments.index("--json") + 1] == "-")
         if json_flag:  # then the sentence is there as well
             self.assertEqual(problem(result.stdout), said.removeprefix("texshot: ").removesuffix("\n"))
         else:
