@@ -63,6 +63,13 @@ void Sentence::write(std::span<const Value> values) {
     });
 }
 
+Sentence Sentence::ofNumber(std::string text, std::optional<std::uint64_t> whole) {
+    Sentence number(std::move(text));
+    number.number_ = whole;
+    number.is_ = Is::Number;
+    return number;
+}
+
 Sentence Sentence::ofParts(std::string_view key, std::vector<Sentence> arguments) {
     Sentence whole;
     whole.key_ = key;

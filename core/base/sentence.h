@@ -74,6 +74,9 @@ public:
     /// The same as one that was taken apart, as to send it to another process. `key` has to be a literal.
     [[nodiscard]] static Sentence ofParts(std::string_view key, std::vector<Sentence> arguments);
 
+    /// The same of an argument that was a number, with its text; `whole`: its number().
+    [[nodiscard]] static Sentence ofNumber(std::string text, std::optional<std::uint64_t> whole);
+
     /// Joins two at a time: joined("{0}, {1}", all). Empty for none.
     [[nodiscard]] static Sentence joined(Key<Sentence, Sentence> pair, std::span<const Sentence> all);
 

@@ -13,10 +13,11 @@ namespace {
 
 using nlohmann::json;
 
-/// A text, {"name": a text}, a whole number, or {"key", "arguments"}.
+/// A text, {"name": a text}, {"number": its text, "whole": a whole number or null}, or {"key", "arguments"}.
 json sentJson(const Sentence& sentence) {
-    if (sentence.number())
-        return static_cast<std::int64_t>(*sentence.number());
+    if (sentence.isNumber())
+        return {{"number", sentence.english()},
+                {"whole", sentence.number() ? json(*sentence.number()) : json()}};
     if (sentence.key().empty())
         return sentence.isName() ? json{{"name", sentence.english()}} : json(sentence.english());
     json arguments = json::array();
@@ -26,10 +27,12 @@ json sentJson(const Sentence& sentence) {
 }
 
 Sentence sentSentence(const json& sent) {
-    if (sent.is_number())
-        return Sentence(Sentence::Key<std::int64_t>("{0}"), sent.get<std::int64_t>()).arguments().front();
     if (sent.is_string())
         return sent.get<std::string>();
+    if (sent.contains("number"))
+        return Sentence::ofNumber(
+            sent["number"].get<std::string>(),
+            sent.at("whole").is_null() ? std::nullopt : std::optional(sent["whole"].get<std::uint64_t>()));
     if (sent.contains("name"))
         return ProperName{sent["name"].get_ref<const std::string&>()};
     std::vector<Sentence> arguments;

@@ -1,3 +1,4 @@
+#include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/message_ids.h"
 #include "app/screenshot/output/sent_error.h"
 
@@ -36,6 +37,20 @@ TEST(SentErrors, KeepWhichArgumentIsANumber) {
         {ErrorCode::TooLarge, Sentence("expected at most {0} bytes, found {1}", 3, ProperName{"4"}), {}});
     EXPECT_EQ(there.message.arguments()[0].number(), 3U);
     EXPECT_TRUE(there.message.arguments()[1].isName());
+}
+
+TEST(SentErrors, KeepNumbersWithTheirDigits) {
+    for (const auto& [message, arguments] :
+         {std::pair(Sentence("expected up to {0} pictures a second in a {1}, found {2:g}", 50, "GIF", 62.5),
+                    R"([50,"GIF",62.5])"),
+          std::pair(Sentence("alpha {0:.2f}", 0.5F), "[0.5]"),
+          std::pair(Sentence("c0 = {0:04X} is larger than c1 = {1:04X}: four colours.", 255, 10), "[255,10]"),
+          std::pair(Sentence("{0} bytes", std::numeric_limits<std::uint64_t>::max()),
+                    "[18446744073709551615]")}) {
+        const Sentence there = sent({ErrorCode::OutOfRange, message, {}}).message;
+        EXPECT_EQ(there, message);
+        EXPECT_EQ(messageJson(there)["arguments"], nlohmann::ordered_json::parse(arguments)) << message;
+    }
 }
 
 TEST(SentErrors, OfAMessageWithoutAnIdKeepTheirWords) {
