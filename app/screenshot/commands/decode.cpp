@@ -31,9 +31,8 @@ struct DecodeOptions {
 tl::unexpected<Error> outOfRange(const std::string& in, std::string_view what, int asked, int count,
                                  std::string_view owner) {
     return fail(ErrorCode::OutOfRange,
-                count == 1
-                    ? Sentence("there is no {0} {1}: {2} has {0} 0 alone", what, asked, owner)
-                    : Sentence("there is no {0} {1}: {2} has {0}s 0 to {3}", what, asked, owner, count - 1),
+                count == 1 ? Sentence("there is no {0} {1}: {2} has {0} 0 alone", what, asked, owner)
+                           : Sentence("there is no {0} {1}: {2} has 0 to {3}", what, asked, owner, count - 1),
                 inFile(inputName(in)));
 }
 

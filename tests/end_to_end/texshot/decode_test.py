@@ -21,7 +21,7 @@ class Decode(Texshot):
         file.write_bytes(bmp(4, 4, lambda x, y: (200, 100, 0) if x < 2 else (0, 40, 80)))
         level = Image.open(io.BytesIO(self.succeeds("decode", file, "-", "--level", "2"))).convert("RGB")
         self.assertEqual((level.size, level.getpixel((0, 0))), ((1, 1), (100, 70, 40)))
-        self.complains(1, "levels 0 to 2", "decode", file, "-", "--level", "3")
+        self.complains(1, "there is no level 3: its full chain has 0 to 2", "decode", file, "-", "--level", "3")
 
     def test_decode_chooses_level_and_direction(self):
         file = self.path / "in.dds"
@@ -32,7 +32,7 @@ class Decode(Texshot):
         self.assertEqual(naive.tobytes(), upright.transpose(Image.Transpose.FLIP_TOP_BOTTOM).tobytes())
         level = Image.open(io.BytesIO(self.succeeds("decode", file, "-", "--level", "3")))
         self.assertEqual(level.size, (2, 2))
-        for expected, options in [("levels 0 to 4", ["--level", "5"]), ("face 0 alone", ["--face", "1"]),
+        for expected, options in [("has 0 to 4", ["--level", "5"]), ("face 0 alone", ["--face", "1"]),
                                   ("slice 0 alone", ["--slice", "1"])]:
             with self.subTest(options):
                 self.complains(1, expected, "decode", file, "-", *options)
@@ -55,7 +55,7 @@ class Decode(Texshot):
                 (self.path / "out.png").unlink()
                 self.assertEqual(result.returncode, 0, result.stderr)
                 self.assertIn(options[0][2:] + "s", [loss["what"] for loss in results(result.stdout)[0]["losses"]])
-        self.complains(1, "layers 0 to 1", "decode", self.path / "array.dds", "-", "--layer", "2", "--face", "0")
+        self.complains(1, "there is no layer 2: the file has 0 to 1", "decode", self.path / "array.dds", "-", "--layer", "2", "--face", "0")
 
     def test_decode_refuses_to_take_bits(self):
         deep = self.path / "deep.png"
