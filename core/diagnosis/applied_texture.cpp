@@ -43,13 +43,25 @@ bool takesNoSample(const Texture& texture, const SampledTexture& shape, const Te
     return use && isAnisotropic(texture) && axesOf(shape.target) == 2 && hasConstantCoords(shape, *use);
 }
 
+bool hasTwoFilters(const Texture& texture) {
+    return reference::isLinear(texture.minFilter) != (texture.magFilter == MagFilter::Linear);
+}
+
+bool hasOneLevel(const SampledTexture& shape) {
+    return reference::lastMipLevel(shape) == shape.baseLevel;
+}
+
+// Section 3.8.8 has the base level read then. llvmpipe computes lambda to choose the filter, and takes the
+// level from it, too.
+bool readsOtherLevels(const Texture& texture, const SampledTexture& shape, const TextureUse* /*use*/) {
+    return isAnisotropic(texture) && hasTwoFilters(texture) && !reference::wantsMipmaps(texture.minFilter) &&
+           !hasOneLevel(shape);
+}
+
 // Where lambda chooses between two filters and nothing else, and is biased, llvmpipe may have no level of
 // detail and read it all the same. Whose bias it is, the shader's or the texture object's, doesn't count.
 bool choosesFilterAlone(const Texture& texture, const SampledTexture& shape, const TextureUse* /*use*/) {
-    const bool oneLevel =
-        !reference::wantsMipmaps(texture.minFilter) || reference::lastMipLevel(shape) == shape.baseLevel;
-    return isAnisotropic(texture) && oneLevel &&
-           reference::isLinear(texture.minFilter) != (texture.magFilter == MagFilter::Linear);
+    return isAnisotropic(texture) && hasTwoFilters(texture) && hasOneLevel(shape);
 }
 
 // Its anisotropic filter averages over an ellipse, regardless of both.
@@ -77,7 +89,11 @@ constexpr std::array flaws{
         "llvmpipe", line, takesNoSample, withoutAnisotropy,
         N_("llvmpipe since Mesa 25 draws black where it filters anisotropically and the coordinates do not "
            "change; drawn without anisotropy")},
-    DriverFlaw{"llvmpipe", {}, choosesFilterAlone, withOneFilter, ""},
+    DriverFlaw{
+        "llvmpipe", std::nullopt, readsOtherLevels, withOneFilter,
+        N_("llvmpipe reads mipmap levels that GL_TEXTURE_MIN_FILTER doesn't ask for where it filters anisotropically and "
+           "the two filters differ; drawn with one filter")},
+    DriverFlaw{"llvmpipe", std::nullopt, choosesFilterAlone, withOneFilter, ""},
 };
 
 } // namespace

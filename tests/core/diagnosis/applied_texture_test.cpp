@@ -164,13 +164,28 @@ TEST(AppliedTexture, LeavesAnisotropyBelowTwoAsItIs) {
 // The filters are all that llvmpipe's anisotropy ignores.
 TEST(AppliedTexture, GivesLlvmpipeOneFilterWhereLambdaChoosesNoLevel) {
     const Texture plain = anisotropic(MinFilter::Linear, MagFilter::Nearest);
-    EXPECT_EQ(appliedTexture(plain, shapeWith(4), 1000, llvmpipe).texture.magFilter, MagFilter::Linear);
+    const AppliedTexture alone = appliedTexture(plain, shapeWith(1), 1000, llvmpipe);
+    EXPECT_EQ(alone.texture.magFilter, MagFilter::Linear);
+    EXPECT_TRUE(alone.heldBack.empty());
     EXPECT_EQ(appliedTexture(plain, shapeWith(4), 1000, {}).texture.magFilter, MagFilter::Nearest);
     const Texture oneLevel = anisotropic(MinFilter::NearestMipmapNearest, MagFilter::Linear);
     const AppliedTexture applied = appliedTexture(oneLevel, shapeWith(1), 1000, llvmpipe);
     EXPECT_EQ(applied.texture.magFilter, MagFilter::Nearest);
     EXPECT_EQ(applied.texture.maxAnisotropy, 4);
     EXPECT_TRUE(applied.heldBack.empty());
+}
+
+// With two filters llvmpipe itself would read other levels, as the program does that emit writes.
+TEST(AppliedTexture, SaysWhereLlvmpipeWouldReadLevelsThatTheFilterLacks) {
+    Texture texture = anisotropic(MinFilter::Nearest, MagFilter::Linear);
+    const AppliedTexture held = appliedTexture(texture, shapeWith(4), 1000, llvmpipe);
+    EXPECT_EQ(held.texture.magFilter, MagFilter::Nearest);
+    ASSERT_EQ(held.heldBack.size(), 1U);
+    EXPECT_NE(held.heldBack[0].find("reads mipmap levels"), std::string_view::npos);
+    texture.maxLevel = 0; // there is none to read
+    EXPECT_TRUE(appliedTexture(texture, shapeWith(4), 1000, llvmpipe).heldBack.empty());
+    const Texture same = anisotropic(MinFilter::Nearest, MagFilter::Nearest);
+    EXPECT_EQ(appliedTexture(same, shapeWith(4), 1000, llvmpipe).texture, same);
 }
 
 } // namespace
