@@ -38,6 +38,11 @@ std::string unitPath(std::size_t pass, std::size_t unit) {
     return fmt::format("{}.{}.", elementOf<&Scene::passes>(pass), elementOf<&Pass::units>(unit));
 }
 
+std::string noTexCoordPath(std::size_t model, std::size_t unit) {
+    return fmt::format("{}.{}", elementOf<&Scene::models>(model),
+                       findKey(memberId<&Model::noTexCoord>, unit));
+}
+
 TargetFacts factsAs(Target target, const Texture& texture, const TexturePictures& pictures) {
     TargetFacts facts{target, planLevels(texture, pictures, target), {}, baseFormat(texture.internalFormat)};
     if (facts.plan.blocks)

@@ -200,10 +200,11 @@ void unreadCoordinates(const Case& about, Report& report) {
             off ? Sentence("unit {0} is off", u) : Sentence("unit {0} generates all of its coordinates", u);
         for (std::size_t m = 0; m < about.scene.models.size() && (off || generated); ++m) {
             report.add(texCoordsPath(m, u), reason);
-            if (!about.scene.models[m].noTexCoord[u].empty())
-                report.add(fmt::format("{}.{}", elementOf<&Scene::models>(m),
-                                       findKey(memberId<&Model::noTexCoord>, u)),
-                           reason);
+            const std::string path = noTexCoordPath(m, u);
+            const std::vector<KeyFrame>& keys = about.scene.timeline.keys;
+            if (!about.scene.models[m].noTexCoord[u].empty() ||
+                std::ranges::find(keys, path, &KeyFrame::path) != keys.end())
+                report.add(path, reason);
         }
     }
 }

@@ -112,6 +112,8 @@ struct Rule {
 
 /// "passes[0].units[1]."
 [[nodiscard]] std::string unitPath(std::size_t pass, std::size_t unit);
+/// "models[0].noTexCoord1"
+[[nodiscard]] std::string noTexCoordPath(std::size_t model, std::size_t unit);
 
 /// One of GL_COMBINE's arguments.
 struct Argument {

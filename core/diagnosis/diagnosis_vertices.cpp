@@ -9,6 +9,7 @@
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/scene/params/params.h"
+#include "texplorer/scene/params/scene_at.h"
 #include "texplorer/scene/sent_vertices.h"
 
 #include <fmt/core.h>
@@ -190,29 +191,45 @@ bool takesGiven(const Scene& scene, std::size_t model, std::size_t unit) {
     });
 }
 
-/// Section 2.7: glVertex takes the current coordinates.
+/// Section 2.7: glVertex takes the current coordinates. Empty: every vertex has its own, or none is read.
+Sentence leftOutSentence(const Scene& scene, std::size_t m, std::size_t u) {
+    const Model& model = scene.models[m];
+    if (model.noTexCoord[u].empty() || !takesGiven(scene, m, u))
+        return {};
+    const std::vector<SentVertex> sent = sentVertices(model, meshOf(model));
+    const std::optional<SentVertex> first = firstWithoutCall(sent, u);
+    if (!first)
+        return {};
+    const Sentence sentence =
+        first->coordsOf[u]
+            ? Sentence("vertex {0} has no glTexCoord: it shows the colour at the coordinates of "
+                       "vertex {1}, which is sent before it",
+                       first->vertex, *first->coordsOf[u])
+            : Sentence("vertex {0} has no glTexCoord, and none is sent before it: it shows the "
+                       "colour at (0, 0)",
+                       first->vertex);
+    return andMore(sentence, model.noTexCoord[u].size() - 1);
+}
+
+/// Where it has key frames, their values are drawn, and no single value is a fix.
 void noTexCoord(const Case& about, Report& report) {
     for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
-        const Model& model = about.scene.models[m];
-        if (!leavesOutCalls(model))
-            continue;
-        const std::vector<SentVertex> sent = sentVertices(model, meshOf(model));
         for (std::size_t u = 0; u < maxUnits; ++u) {
-            const std::optional<SentVertex> first = firstWithoutCall(sent, u);
-            if (!first || !takesGiven(about.scene, m, u))
-                continue;
-            const Sentence sentence =
-                first->coordsOf[u]
-                    ? Sentence("vertex {0} has no glTexCoord: it shows the colour at the coordinates of "
-                               "vertex {1}, which is sent before it",
-                               first->vertex, *first->coordsOf[u])
-                    : Sentence("vertex {0} has no glTexCoord, and none is sent before it: it shows the "
-                               "colour at (0, 0)",
-                               first->vertex);
-            const std::string path =
-                fmt::format("{}.{}", elementOf<&Scene::models>(m), findKey(memberId<&Model::noTexCoord>, u));
-            report.add(path, andMore(sentence, model.noTexCoord[u].size() - 1),
-                       Fix{N_("Send glTexCoord"), {{path, ""}}});
+            const std::string path = noTexCoordPath(m, u);
+            bool moves = false;
+            for (const KeyFrame& key : about.scene.timeline.keys) {
+                if (key.path != path)
+                    continue;
+                moves = true;
+                const Sentence sentence = leftOutSentence(*StandingScene(about.scene, key.time), m, u);
+                if (sentence.empty())
+                    continue;
+                report.add(path, Sentence("at {0:g} s: {1}", key.time, sentence));
+                break;
+            }
+            if (const Sentence sentence = moves ? Sentence() : leftOutSentence(about.scene, m, u);
+                !sentence.empty())
+                report.add(path, sentence, Fix{N_("Send glTexCoord"), {{path, ""}}});
         }
     }
 }

@@ -242,6 +242,12 @@ constexpr std::array
                     s.scene.models[0].texCoords[2].assign(24, {1, 1, 0, 1});
                 },
                 [](Subject& s) { s.unit(2).enabled = true; }},
+        Mistake{"KeysOfCallsOfAUnitThatIsOff", "unread-coordinates", Hint, "models[0].noTexCoord2",
+                "unit 2 is off",
+                [](Subject& s) {
+                    s.scene.timeline.keys = {{.time = 1, .path = "models[0].noTexCoord2", .value = "3"}};
+                },
+                [](Subject& s) { s.unit(2).enabled = true; }},
         Mistake{
             "CoordinatesOfAUnitThatMakesItsOwn", "unread-coordinates", Hint, "models[0].texCoords0",
             "unit 0 generates all of its coordinates",

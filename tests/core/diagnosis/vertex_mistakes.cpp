@@ -46,6 +46,13 @@ constexpr std::array vertexRows{
             s.scene.models[0].noTexCoord[0] = {0, 1};
         },
         [](Subject& s) { s.unit().texGenS.enabled = s.unit().texGenT.enabled = true; }},
+    Mistake{"NoGlTexCoordAtAKey", "no-tex-coord", Warning, "models[0].noTexCoord0",
+            "at 2 s: vertex 2 has no glTexCoord: it shows the colour at the coordinates of vertex 1",
+            [](Subject& s) {
+                s.scene.timeline.keys = {{.time = 0, .path = "models[0].noTexCoord0"},
+                                         {.time = 2, .path = "models[0].noTexCoord0", .value = "2"}};
+            },
+            [](Subject& s) { s.scene.timeline.keys[1].value = ""; }},
     Mistake{"ReflectionAwayFromTheEye", "sphere-map-rim", Warning, "passes[0].units[0].texGenS",
             "at vertex 0 of models[0]",
             [](Subject& s) {
