@@ -1,7 +1,6 @@
 #include "app/render/texture_stacks.h"
 
 #include "app/render/fixed_state.h"
-#include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/texture_matrix.h"
 
 #include <GL/glew.h>
@@ -103,9 +102,7 @@ void TextureStacks::beginPass(const Scene& scene, std::size_t pass, const BoundT
         pushSteps(scene, pass, u, std::nullopt, steps);
         multiply(steps, u, time, scene.light);
     }
-    modelsHaveSteps_ = std::ranges::any_of(drawnModels(scene, drawn), [&](std::size_t model) {
-        return hasOwnSteps(drawn, scene.models[model]);
-    });
+    modelsHaveSteps_ = modelsHaveSteps(scene, pass);
     glMatrixMode(GL_MODELVIEW);
 }
 

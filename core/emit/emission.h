@@ -197,8 +197,6 @@ void writeUnits(Emission& emission, std::size_t pass);
 [[nodiscard]] std::string stepPath(const PlacedStep& placed, std::size_t unit);
 /// Whether any of a unit's steps changes with the time.
 [[nodiscard]] bool anyMoves(const Emission& emission, const PlacedSteps& steps, std::size_t unit);
-/// Whether any model that a pass draws has steps for a unit that is on.
-[[nodiscard]] bool modelsHaveSteps(const Scene& scene, std::size_t pass);
 /// The calls for the texture matrix stacks: when a pass begins, around each model, and after the pass.
 void writePassMatrix(Emission& emission, std::size_t pass, std::size_t unit, const std::string& variable);
 void writeModelMatrices(Emission& emission, std::size_t pass, std::size_t model);

@@ -3,7 +3,6 @@
 #include "texplorer/emit/transformations.h"
 #include "texplorer/gl/argument_names.h"
 #include "texplorer/scene/animation.h"
-#include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
@@ -119,12 +118,6 @@ std::string stepPath(const PlacedStep& placed, std::size_t unit) {
 bool anyMoves(const Emission& emission, const PlacedSteps& steps, std::size_t unit) {
     return std::ranges::any_of(steps, [&](const PlacedStep& placed) {
         return isMoving(*placed.step) || emission.keys.movesBelow(stepPath(placed, unit) + '.');
-    });
-}
-
-bool modelsHaveSteps(const Scene& scene, std::size_t pass) {
-    return std::ranges::any_of(drawnModels(scene, scene.passes[pass]), [&](std::size_t model) {
-        return hasOwnSteps(scene.passes[pass], scene.models[model]);
     });
 }
 

@@ -75,4 +75,10 @@ bool hasOwnSteps(const Pass& pass, const Model& model) {
     return false;
 }
 
+bool modelsHaveSteps(const Scene& scene, std::size_t pass) {
+    return std::ranges::any_of(drawnModels(scene, scene.passes[pass]), [&](std::size_t model) {
+        return hasOwnSteps(scene.passes[pass], scene.models[model]);
+    });
+}
+
 } // namespace texplorer

@@ -46,4 +46,7 @@ void pushSteps(const Scene& scene, std::size_t pass, std::size_t unit, std::opti
 /// Whether a model has steps for a unit that the pass has on.
 [[nodiscard]] bool hasOwnSteps(const Pass& pass, const Model& model);
 
+/// Whether any model that a pass draws has them.
+[[nodiscard]] bool modelsHaveSteps(const Scene& scene, std::size_t pass);
+
 } // namespace texplorer
