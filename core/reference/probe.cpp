@@ -1,6 +1,6 @@
 #include "texplorer/reference/probe.h"
 
-#include "texplorer/reference/given_vertices.h"
+#include "texplorer/reference/face_name.h"
 #include "texplorer/reference/raster/assembly.h"
 #include "texplorer/reference/raster/raster.h"
 #include "texplorer/reference/raster/shade.h"
@@ -171,7 +171,6 @@ void Prober::draw(const PassState& pass, std::size_t passIndex, std::size_t mode
     const SentModel sentModel(scene_.models[modelIndex]);
     const Model& model = *sentModel;
     const Mesh mesh = meshOf(model);
-    const GivenVertices names(scene_.models[modelIndex]);
     const VertexStage stage(scene_, pass, modelIndex, mesh,
                             modelViewMatrix(scene_.view, model, explanation_.time), projection,
                             {viewport_.width, viewport_.height, viewport_.cornerBits});
@@ -222,14 +221,14 @@ void Prober::draw(const PassState& pass, std::size_t passIndex, std::size_t mode
             fragment.model = static_cast<int>(modelIndex);
             fragment.shape = scene_.models[modelIndex].shape;
             fragment.part = static_cast<std::uint32_t>(number);
-            fragment.face = names.faceOf(mesh, part);
+            fragment.face = faceName(sentModel, mesh, part);
             fragment.clipped = covering.clipped;
             fragment.coloredVertices = mesh.colored;
             fragment.fromBehind = covering.triangle.seenFromBehind;
             const bool back = pass.twoSided && fragment.fromBehind;
             for (std::size_t c = 0; c < part.size(); ++c) {
                 VertexExplanation& vertex = fragment.vertices.emplace_back();
-                vertex.vertex = names.vertexOf(part[c]);
+                vertex.vertex = sentModel.vertexOf(part[c]);
                 vertex.weight = covering.weights[static_cast<int>(c)];
                 vertex.object = glm::vec4(mesh.vertices[part[c]].position, 1);
                 vertex.eye = records[c].eye;
@@ -244,7 +243,7 @@ void Prober::draw(const PassState& pass, std::size_t passIndex, std::size_t mode
             explain(fragment, covering, pass, records, given, embossed);
             for (UnitExplanation& unit : fragment.units)
                 for (std::size_t c = 0; c < part.size(); ++c)
-                    unit.vertices[c].of = names.coordsOf(part[c], static_cast<std::size_t>(unit.unit));
+                    unit.vertices[c].of = sentModel.coordsOf(part[c], static_cast<std::size_t>(unit.unit));
             explanation_.fragments.push_back(std::move(fragment));
             explained_.push_back(covering.triangle);
         }

@@ -45,9 +45,7 @@ std::vector<T> inOrder(const std::vector<T>& list, const Mesh& mesh, const std::
     return values;
 }
 
-Model expanded(const Model& model) {
-    const Mesh mesh = meshOf(model);
-    const std::vector<SentVertex> sent = sentVertices(model, mesh);
+Model expanded(const Model& model, const Mesh& mesh, const std::vector<SentVertex>& sent) {
     Model made = model;
     made.shape = Shape::Mesh;
     made.noTexCoord = {};
@@ -149,8 +147,12 @@ Primitive sentPrimitive(const Model& model) {
 
 SentModel::SentModel(const Model& model)
     : model_(model) {
-    if (leavesOutCalls(model))
-        made_ = expanded(model);
+    if (!leavesOutCalls(model))
+        return;
+    Mesh mesh = meshOf(model);
+    std::vector<SentVertex> sent = sentVertices(model, mesh);
+    Model made = expanded(model, mesh, sent);
+    made_ = Made{std::move(made), std::move(mesh), std::move(sent)};
 }
 
 } // namespace texplorer

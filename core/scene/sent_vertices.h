@@ -1,5 +1,6 @@
 #pragma once
 
+#include "texplorer/mesh/mesh.h"
 #include "texplorer/scene/scene.h"
 
 #include <optional>
@@ -53,12 +54,29 @@ public:
     explicit SentModel(const Model& model);
     explicit SentModel(Model&&) = delete;
 
-    [[nodiscard]] const Model& operator*() const { return made_ ? *made_ : model_; }
+    [[nodiscard]] const Model& operator*() const { return made_ ? made_->model : model_; }
     [[nodiscard]] const Model* operator->() const { return &**this; }
 
+    /// The vertex of the given model that one of this model is.
+    [[nodiscard]] std::uint32_t vertexOf(std::uint32_t drawn) const {
+        return made_ ? made_->sent[drawn].vertex : drawn;
+    }
+    /// The one whose coordinates for a unit it has; empty: (0, 0, 0, 1).
+    [[nodiscard]] std::optional<std::uint32_t> coordsOf(std::uint32_t drawn, std::size_t unit) const {
+        return made_ ? made_->sent[drawn].coordsOf[unit] : drawn;
+    }
+    /// The mesh of the given model if this one is another; else nullptr.
+    [[nodiscard]] const Mesh* givenMesh() const { return made_ ? &made_->given : nullptr; }
+
 private:
+    struct Made {
+        Model model;
+        Mesh given;
+        std::vector<SentVertex> sent;
+    };
+
     const Model& model_;
-    std::optional<Model> made_;
+    std::optional<Made> made_;
 };
 
 } // namespace texplorer

@@ -75,6 +75,12 @@ TEST(SentVertices, OneThatIsSentTwiceCanHaveTwoCoordinates) {
         placesAndCoords.emplace_back(made.vertices[i].position.x, drawn->mesh.texCoords.at(i).s);
     using P = std::pair<float, float>;
     EXPECT_THAT(placesAndCoords, ElementsAre(P(0, 0), P(1, 1), P(2, 1), P(3, 3), P(2, 3), P(1, 1)));
+
+    EXPECT_EQ(drawn.vertexOf(4), 2U);
+    EXPECT_EQ(drawn.coordsOf(4, 0), 3U);
+    ASSERT_NE(drawn.givenMesh(), nullptr);
+    EXPECT_EQ(drawn.givenMesh()->triangles, meshOf(mesh).triangles);
+    EXPECT_EQ(drawn.vertexOf(5), 1U);
 }
 
 // 0 1 2, 1 3 2 … are drawn, but each vertex is sent once.
@@ -128,6 +134,8 @@ TEST(SentVertices, AModelThatLeavesOutNothingIsDrawnAsItIs) {
     cube.noTexCoord[0] = {24, -1}; // the vertices are 0 to 23
     EXPECT_FALSE(leavesOutCalls(cube));
     EXPECT_EQ(&*SentModel(cube), &cube);
+    EXPECT_EQ(SentModel(cube).givenMesh(), nullptr);
+    EXPECT_EQ(SentModel(cube).coordsOf(7, 0), 7U);
     cube.noTexCoord[1] = {23};
     EXPECT_TRUE(leavesOutCalls(cube));
     EXPECT_NE(&*SentModel(cube), &cube);
