@@ -62,23 +62,23 @@ private:
 
     /// glPixelTransferf, with the scale's numbers or with OpenGL's initial ones.
     void transfer(bool isInitial) {
-        constexpr std::array components{"RED", "GREEN", "BLUE", "ALPHA"};
         const ImageStep initial;
         const ImageStep& step = texture_.preparation.front();
         const std::string path = pathOf(elementOf<&Texture::preparation>(0));
-        const auto set = [&](glm::vec4 ImageStep::*member, std::string_view name, const std::string& key) {
+        const auto set = [&](glm::vec4 ImageStep::*member, const std::array<std::string_view, 4>& names,
+                             const std::string& key) {
             for (int i = 0; i < 4; ++i) {
                 if ((step.*member)[i] == (initial.*member)[i])
                     continue;
                 const std::string param = fmt::format("{}.{}", path, key);
                 writer_.add(callWith(
                     "glPixelTransferf",
-                    {plain(fmt::format("GL_{}_{}, ", components.at(static_cast<std::size_t>(i)), name)),
+                    {plain(fmt::format("{}, ", names.at(static_cast<std::size_t>(i)))),
                      isInitial ? number((initial.*member)[i]) : number((step.*member)[i], param, i)}));
             }
         };
-        set(&ImageStep::factor, "SCALE", keyOf<&ImageStep::factor>());
-        set(&ImageStep::bias, "BIAS", keyOf<&ImageStep::bias>());
+        set(&ImageStep::factor, transferScales, keyOf<&ImageStep::factor>());
+        set(&ImageStep::bias, transferBiases, keyOf<&ImageStep::bias>());
     }
 
     void writeGroup(const LevelGroup& group) {

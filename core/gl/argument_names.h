@@ -5,6 +5,7 @@
 
 #include "texplorer/gl/combine.h"
 
+#include <array>
 #include <cstddef>
 #include <string_view>
 
@@ -30,6 +31,12 @@ inline constexpr std::string_view unsignedByteType = "GL_UNSIGNED_BYTE";
 inline constexpr std::string_view unsignedIntType = "GL_UNSIGNED_INT";
 inline constexpr std::string_view floatType = "GL_FLOAT";
 inline constexpr std::string_view depthPixels = "GL_DEPTH_COMPONENT";
+
+/// For glPixelTransferf, of red, green, blue and alpha: table 3.2.
+inline constexpr std::array<std::string_view, 4> transferScales{"GL_RED_SCALE", "GL_GREEN_SCALE",
+                                                                "GL_BLUE_SCALE", "GL_ALPHA_SCALE"};
+inline constexpr std::array<std::string_view, 4> transferBiases{"GL_RED_BIAS", "GL_GREEN_BIAS",
+                                                                "GL_BLUE_BIAS", "GL_ALPHA_BIAS"};
 
 /// For glBindBuffer: section 2.9.
 inline constexpr std::string_view arrayBuffer = "GL_ARRAY_BUFFER";
