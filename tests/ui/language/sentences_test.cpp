@@ -7,7 +7,6 @@
 #include "app/ui/files/scene_files.h"
 #include "app/ui/files/scene_saving.h"
 #include "app/ui/files/sheet_file.h"
-#include "app/ui/language/po_file.h"
 #include "app/ui/model/findings.h"
 #include "app/ui/model/kept.h"
 #include "tests/core/diagnosis/mistakes.h"
@@ -16,6 +15,7 @@
 #include "tests/support/temp_dir.h"
 #include "tests/ui/drawn_texts.h"
 #include "tests/ui/english_words.h"
+#include "tests/ui/language/said.h"
 #include "tests/ui/workbench.h"
 #include "texplorer/diagnosis/applied_texture.h"
 #include "texplorer/lesson/example.h"
@@ -30,65 +30,6 @@ namespace {
 
 using namespace test;
 using namespace ui;
-
-/// The keys of a sentence and of those in it.
-void addKeys(const Sentence& sentence, std::set<std::string>& keys) {
-    if (sentence.isName() || sentence.isNumber())
-        return;
-    keys.emplace(sentence.key().empty() ? std::string_view(sentence) : sentence.key());
-    for (const Sentence& each : sentence.arguments())
-        addKeys(each, keys);
-}
-
-/// The texts of the catalogues that come from a folder of the sources.
-std::set<std::string> textsOf(std::string_view folder) {
-    std::set<std::string> texts;
-    std::string_view rest = catalogueFiles().front().text;
-    while (!rest.empty()) {
-        const std::string_view entry = rest.substr(0, rest.find("\n\n"));
-        rest.remove_prefix(std::min(entry.size() + 2, rest.size()));
-        if (entry.find(std::string("#: ").append(folder)) == std::string_view::npos)
-            continue;
-        const std::vector<PoEntry> entries = readPoFile(entry, "catalogue").value();
-        for (const PoEntry& each : entries)
-            texts.insert(each.key);
-    }
-    return texts;
-}
-
-/// Sentences, each as it was said first.
-class Said {
-public:
-    /// Returns whether it has a key that none before it has.
-    bool add(const Sentence& sentence) {
-        if (sentence.empty())
-            return false;
-        std::set<std::string> keys;
-        addKeys(sentence, keys);
-        const auto isNew = [this](const std::string& key) { return !keys_.contains(key); };
-        const bool hasNew = std::ranges::any_of(keys, isNew);
-        if (hasNew)
-            sentences_.push_back(sentence);
-        keys_.merge(keys);
-        return hasNew;
-    }
-
-    [[nodiscard]] const std::vector<Sentence>& sentences() const { return sentences_; }
-
-    /// The texts of a folder that none of them has, a line each.
-    [[nodiscard]] std::string unsaidOf(std::string_view folder) const {
-        std::string list;
-        for (const std::string& text : textsOf(folder)) {
-            if (!keys_.contains(text))
-                list += "\n  " + text;
-        }
-        return list;
-    }
-
-private:
-    std::vector<Sentence> sentences_;
-    std::set<std::string> keys_;
-};
 
 Said findingsAndFixes() {
     Said said;
@@ -169,26 +110,6 @@ Said refusedScenes() {
 
 class Sentences : public Workbench, public testing::WithParamInterface<Language> {
 protected:
-    /// What stays English of it, a line each. Names in it do.
-    static std::string englishOf(const Said& said) {
-        std::string list;
-        for (const Sentence& each : said.sentences()) {
-            const std::string shown = tr(each);
-            if (const std::string words = englishWords(withoutNames(shown, each)); !words.empty())
-                list += "\n  " + words + ": " + shown;
-        }
-        return list;
-    }
-
-    static std::string withoutNames(std::string text, const Sentence& sentence) {
-        const std::size_t at = sentence.isName() ? text.find(sentence.english()) : std::string::npos;
-        if (at != std::string::npos)
-            text.replace(at, sentence.english().size(), "-");
-        for (const Sentence& each : sentence.arguments())
-            text = withoutNames(std::move(text), each);
-        return text;
-    }
-
     /// Adds what the window shows; the same text once.
     void look() {
         frames(3); // a tooltip is as large as its text a frame later
@@ -219,7 +140,7 @@ TEST_P(Sentences, OfFindingsAndFixesAreTranslated) {
     std::set<std::string, std::less<>> gaps;
     speak(GetParam(), &gaps);
     const Said said = findingsAndFixes();
-    EXPECT_TRUE(englishOf(said).empty()) << englishOf(said);
+    EXPECT_TRUE(said.english().empty()) << said.english();
     EXPECT_THAT(gaps, testing::IsEmpty());
     EXPECT_TRUE(said.unsaidOf("core/diagnosis/").empty()) << said.unsaidOf("core/diagnosis/");
 }
@@ -228,7 +149,7 @@ TEST_P(Sentences, OfDamagedFilesAreTranslated) {
     std::set<std::string, std::less<>> gaps;
     speak(GetParam(), &gaps);
     const Said said = damages();
-    EXPECT_TRUE(englishOf(said).empty()) << englishOf(said);
+    EXPECT_TRUE(said.english().empty()) << said.english();
     EXPECT_THAT(gaps, testing::IsEmpty());
 }
 
@@ -236,7 +157,7 @@ TEST_P(Sentences, OfScenesThatCanNotBeReadAreTranslated) {
     std::set<std::string, std::less<>> gaps;
     speak(GetParam(), &gaps);
     const Said said = refusedScenes();
-    EXPECT_TRUE(englishOf(said).empty()) << englishOf(said);
+    EXPECT_TRUE(said.english().empty()) << said.english();
     EXPECT_THAT(gaps, testing::IsEmpty());
     EXPECT_GT(said.sentences().size(), 30U);
 }
@@ -274,7 +195,7 @@ TEST_P(Sentences, OfFilesAreTranslated) {
         note(saveRecording(*session, folder / name));
     keepAsA(*session);
     note(Result<void>());
-    EXPECT_TRUE(englishOf(said).empty()) << englishOf(said);
+    EXPECT_TRUE(said.english().empty()) << said.english();
     EXPECT_GT(said.sentences().size(), 10U);
 }
 
