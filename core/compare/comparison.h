@@ -65,8 +65,7 @@ struct Comparison {
     /// In units of 1/255, regardless of the metric, over the compared pixels. `over` counts pixels above the
     /// tolerance of Absolute; with another metric, above 0. In `worst`, row 0 is the bottom.
     Difference difference;
-    std::string
-        sentence; ///< "12 of 65536 pixels (0.018 %) differ by more than 2/255, …", without a file name
+    Sentence sentence; ///< "12 of 65536 pixels (0.018 %) differ by more than 2/255, …", without a file name
     /// Every pixel's value as a colour of heat_map.h's scale: Rgba8, opaque; black where nothing differs,
     /// grey in the mask. Empty unless ComparisonWork::map.
     Image map;

@@ -1,6 +1,6 @@
 #include "texplorer/compare/verdict.h"
 
-#include "texplorer/base/sentence_format.h"
+#include "texplorer/base/further.h"
 #include "texplorer/text/percent.h"
 
 #include <fmt/core.h>
@@ -14,65 +14,63 @@ std::string colorText(const std::array<std::uint8_t, 4>& color, Compared compare
     return compared == Compared::Rgba ? fmt::format("{} {}", text, color[3]) : text;
 }
 
-std::string worstText(const Comparison& comparison) {
+Sentence worstText(const Comparison& comparison) {
     const ComparedPixel& worst = comparison.worst;
     const Compared compared = comparison.criterion.compared;
-    return fmt::format("the worst, {:.4g}{}, is at {}, {}: {} was expected, {} found", worst.value,
-                       factsOf(comparison.criterion.metric).unit, worst.at.x, worst.at.y,
-                       colorText(worst.expected, compared), colorText(worst.actual, compared));
+    return Sentence("the worst, {0:.4g}{1}, is at {2}, {3}: {4} was expected, {5} found", worst.value,
+                    ProperName{factsOf(comparison.criterion.metric).unit}, worst.at.x, worst.at.y,
+                    ProperName{colorText(worst.expected, compared)},
+                    ProperName{colorText(worst.actual, compared)});
 }
 
-std::string overText(const Comparison& comparison) {
+Sentence overText(const Comparison& comparison) {
     const Criterion& criterion = comparison.criterion;
     const MetricRow& facts = factsOf(criterion.metric);
-    const std::string which = criterion.metric == Metric::Absolute && criterion.tolerance == 0
-                                  ? std::string(comparison.over == 1 ? "differs" : "differ")
-                                  : fmt::format("{} {} above {:g}{}", comparison.over == 1 ? "has" : "have",
-                                                facts.value, criterion.tolerance, facts.unit);
-    return fmt::format("{} of {} ({}) {}", comparison.over,
-                       Sentence::plural("{0} pixel", "{0} pixels", comparison.pixels),
-                       percentText(comparison.shareOver()), which);
+    const Sentence pixels = Sentence::plural("{0} pixel", "{0} pixels", comparison.pixels);
+    const std::string share = percentText(comparison.shareOver());
+    if (criterion.metric == Metric::Absolute && criterion.tolerance == 0)
+        return Sentence::plural("{0} of {1} ({2}) differs", "{0} of {1} ({2}) differ", comparison.over,
+                                pixels, ProperName{share});
+    return Sentence::plural("{0} of {1} ({2}) has {3} above {4:g}{5}",
+                            "{0} of {1} ({2}) have {3} above {4:g}{5}", comparison.over, pixels,
+                            ProperName{share}, facts.value, criterion.tolerance, ProperName{facts.unit});
 }
 
-/// Nothing where it is the worst pixel alone, whose place is said.
-std::string regionsText(const Comparison& comparison) {
-    if (comparison.over == 1)
-        return {};
+/// Where they are, if it isn't the worst pixel alone, whose place is said; and the score.
+void addMore(std::vector<Sentence>& parts, const Comparison& comparison) {
     const PixelRect& bounds = comparison.bounds;
-    return fmt::format("; {} within {} × {} pixels at {}, {}",
-                       Sentence::plural("{0} region", "{0} regions", comparison.regions), bounds.width,
-                       bounds.height, bounds.x, bounds.y);
-}
-
-std::string scoreText(const Comparison& comparison) {
-    if (comparison.criterion.metric == Metric::Absolute)
-        return {};
-    return fmt::format("; {} {:.6g}", factsOf(comparison.criterion.metric).score, comparison.score);
-}
-
-std::string sizesText(const Comparison& comparison) {
-    return fmt::format("the sizes differ: {} × {} pixels were expected, {} × {} found",
-                       comparison.expectedSize.x, comparison.expectedSize.y, comparison.actualSize.x,
-                       comparison.actualSize.y);
+    if (comparison.over > 1)
+        parts.push_back(Sentence("{0} within {1} × {2} pixels at {3}, {4}",
+                                 Sentence::plural("{0} region", "{0} regions", comparison.regions),
+                                 bounds.width, bounds.height, bounds.x, bounds.y));
+    if (comparison.criterion.metric != Metric::Absolute)
+        parts.push_back(
+            Sentence("{0} {1:.6g}", factsOf(comparison.criterion.metric).score, comparison.score));
 }
 
 } // namespace
 
-std::string verdictOn(const Comparison& comparison) {
+Sentence verdictOn(const Comparison& comparison) {
     if (!comparison.sameSize())
-        return sizesText(comparison);
+        return Sentence("the sizes differ: {0} × {1} pixels were expected, {2} × {3} found",
+                        comparison.expectedSize.x, comparison.expectedSize.y, comparison.actualSize.x,
+                        comparison.actualSize.y);
     const Criterion& criterion = comparison.criterion;
     if (comparison.over == 0 && comparison.difference.max == 0)
-        return fmt::format("alike: none of {} differs",
-                           Sentence::plural("{0} pixel", "{0} pixels", comparison.pixels));
+        return Sentence("alike: none of {0} differs",
+                        Sentence::plural("{0} pixel", "{0} pixels", comparison.pixels));
+    std::vector<Sentence> parts;
+    if (comparison.over > 0)
+        parts.push_back(overText(comparison));
+    parts.push_back(worstText(comparison));
+    addMore(parts, comparison);
+    const Sentence all = Sentence::joined(furtherKey, parts);
     if (comparison.over == 0)
-        return fmt::format("alike within {:g}{}: {}{}", criterion.tolerance, factsOf(criterion.metric).unit,
-                           worstText(comparison), scoreText(comparison));
-    const std::string all = fmt::format("{}; {}{}{}", overText(comparison), worstText(comparison),
-                                        regionsText(comparison), scoreText(comparison));
-    if (comparison.alike)
-        return fmt::format("alike, since up to {} may differ: {}", percentText(criterion.share), all);
-    return all;
+        return Sentence("alike within {0:g}{1}: {2}", criterion.tolerance,
+                        ProperName{factsOf(criterion.metric).unit}, all);
+    return comparison.alike ? Sentence("alike, since up to {0} may differ: {1}",
+                                       ProperName{percentText(criterion.share)}, all)
+                            : all;
 }
 
 } // namespace texplorer

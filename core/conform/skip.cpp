@@ -95,7 +95,7 @@ constexpr std::array skipRows{
                        !isDefinedDecal(baseFormat(texture.internalFormat));
             });
         },
-        "GL_DECAL is undefined for ALPHA, LUMINANCE, LUMINANCE_ALPHA and INTENSITY (OpenGL 2.1, table 3.21)"},
+        N_("GL_DECAL is undefined for ALPHA, LUMINANCE, LUMINANCE_ALPHA and INTENSITY (OpenGL 2.1, table 3.21)")},
     Skip{"switch-over",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) &&
@@ -104,8 +104,8 @@ constexpr std::array skipRows{
                         return reference::switchOverOf(texture.magFilter, texture.minFilter) > 0;
                     });
          },
-         "llvmpipe and softpipe use 0 for the constant c between magnification and minification; the "
-         "specification uses 0.5 for these filters (OpenGL 2.1, section 3.8.9)"},
+         N_("llvmpipe and softpipe use 0 for the constant c between magnification and minification; the "
+            "specification uses 0.5 for these filters (OpenGL 2.1, section 3.8.9)")},
     Skip{"driver-compression",
          [](const Scene& scene, const Pair& pair, const Driver&) {
              return pair.has(RendererKind::Reference) &&
@@ -113,26 +113,26 @@ constexpr std::array skipRows{
                         return texture.compression == Compression::Driver;
                     });
          },
-         "drivers may compress an image in any way (OpenGL 2.1, section 3.8.1)"},
+         N_("drivers may compress an image in any way (OpenGL 2.1, section 3.8.1)")},
     Skip{"no-borders",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) && !driver.facts.textureBorders &&
                     anyUnit(scene, [](const Unit&, const Texture& texture) { return texture.border > 0; });
          },
-         "the driver drops the border of an image, as Mesa does; tests compare the reference with the "
-         "specification's numbers"},
+         N_("the driver drops the border of an image, as Mesa does; tests compare the reference with the "
+            "specification's numbers")},
     Skip{"hint",
          [](const Scene& scene, const Pair& pair, const Driver&) {
              return pair.has(RendererKind::Fixed) && scene.view.perspectiveHint == HintMode::Fastest;
          },
-         "the fixed function may ignore GL_PERSPECTIVE_CORRECTION_HINT; the shaders and the reference "
-         "don't and can be compared"},
+         N_("the fixed function may ignore GL_PERSPECTIVE_CORRECTION_HINT; the shaders and the reference "
+            "don't and can be compared")},
     Skip{"no-s3tc",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) && !driver.facts.s3tc &&
                     anyUnit(scene, [](const Unit&, const Texture& texture) { return isCompressed(texture); });
          },
-         "the driver lacks GL_EXT_texture_compression_s3tc"},
+         N_("the driver lacks GL_EXT_texture_compression_s3tc")},
     Skip{"no-anisotropy",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) &&
@@ -140,36 +140,36 @@ constexpr std::array skipRows{
                         return texture.maxAnisotropy > driver.facts.maxAnisotropy;
                     });
          },
-         "the driver has less anisotropy than the texture asks for, or none"},
-    Skip{"held-back",
-         [](const Scene& scene, const Pair& pair, const Driver& driver) {
-             return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
-                    anyUnit(scene,
-                            [](const Unit&, const Texture& texture) { return texture.maxAnisotropy >= 2; }) &&
-                    isFound(scene, driver, "held-back");
-         },
-         "llvmpipe is given less where it crashes (1D textures), compares no depths, reads levels that the "
-         "filter lacks, or would visit texels for seconds to hours because coordinates change fast or q "
-         "crosses 0"},
+         N_("the driver has less anisotropy than the texture asks for, or none")},
+    Skip{
+        "held-back",
+        [](const Scene& scene, const Pair& pair, const Driver& driver) {
+            return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
+                   anyUnit(scene,
+                           [](const Unit&, const Texture& texture) { return texture.maxAnisotropy >= 2; }) &&
+                   isFound(scene, driver, "held-back");
+        },
+        N_("llvmpipe is given less where it crashes (1D textures), compares no depths, reads levels that the "
+           "filter lacks, or would visit texels for seconds to hours because coordinates change fast or q crosses 0")},
     Skip{"zero-normal",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Fixed) && hasMesh(scene) && isFound(scene, driver, "zero-normal");
          },
-         "a normal without a length is undefined under GL_NORMALIZE (OpenGL 2.1, sections 2.11.3 and "
-         "2.1.1); the shaders and the reference keep it 0 and can be compared"},
+         N_("a normal without a length is undefined under GL_NORMALIZE (OpenGL 2.1, sections 2.11.3 and "
+            "2.1.1); the shaders and the reference keep it 0 and can be compared")},
     Skip{"sphere-map-rim",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Fixed) && hasSphereMap(scene) &&
                     isFound(scene, driver, "sphere-map-rim");
          },
-         "where the reflection points straight away from the eye, GL_SPHERE_MAP divides by 0 (OpenGL 2.1, "
-         "section 2.11.4); the shaders and the reference use the middle of the image"},
+         N_("where the reflection points straight away from the eye, GL_SPHERE_MAP divides by 0 (OpenGL 2.1, "
+            "section 2.11.4); the shaders and the reference use the middle of the image")},
     Skip{"long-line",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
                     hasMesh(scene) && isFound(scene, driver, "long-line");
          },
-         "llvmpipe loses pixels at the ends of lines that are longer than a million pixels"},
+         N_("llvmpipe loses pixels at the ends of lines that are longer than a million pixels")},
     Skip{"anisotropy-method",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) &&
@@ -177,7 +177,7 @@ constexpr std::array skipRows{
                     anyUnit(scene,
                             [](const Unit&, const Texture& texture) { return texture.maxAnisotropy > 1; });
          },
-         "EXT_texture_filter_anisotropic does not define the method, and this driver's is unknown"},
+         N_("EXT_texture_filter_anisotropic does not define the method, and this driver's is unknown")},
     Skip{"ellipse-of-one-level",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) && driver.name.starts_with("softpipe") &&
@@ -185,38 +185,41 @@ constexpr std::array skipRows{
                         return texture.maxAnisotropy > 1 && !reference::blendsLevels(texture.minFilter);
                     });
          },
-         "softpipe filters anisotropically only with GL_*_MIPMAP_LINEAR"},
-    Skip{"mirrored-ellipse",
-         [](const Scene& scene, const Pair& pair, const Driver& driver) {
-             return pair.has(RendererKind::Reference) &&
-                    driver.anisotropy() == reference::AnisotropyMethod::Ellipse &&
-                    anyUnit(scene, [](const Unit&, const Texture& texture) {
-                        return texture.maxAnisotropy > 1 && (texture.wrapS == Wrap::MirroredRepeat ||
-                                                             texture.wrapT == Wrap::MirroredRepeat);
-                    });
-         },
-         "llvmpipe and softpipe read the texels of the ellipse at their lower edge instead of their middle, "
-         "so a mirrored image is off by one texel"},
-    Skip{"filtered-depths",
-         [](const Scene& scene, const Pair& pair, const Driver& driver) {
-             return pair.has(RendererKind::Reference) && driver.name.starts_with("softpipe") &&
-                    anyUnit(scene, [](const Unit&, const Texture& texture) {
-                        return isDepth(texture.internalFormat) &&
-                               texture.compareMode == CompareMode::RToTexture && isLinearAnywhere(texture);
-                    });
-         },
-         "with GL_LINEAR softpipe compares r with the mean of the depths instead of each depth; OpenGL 2.1, "
-         "section 3.8.14, allows both"},
-    Skip{"mirrored-slices",
-         [](const Scene& scene, const Pair& pair, const Driver& driver) {
-             return pair.has(RendererKind::Reference) && driver.name.starts_with("softpipe") &&
-                    anyUnit(scene, [](const Unit& unit, const Texture& texture) {
-                        return unit.target == Target::Texture3D && texture.wrapR == Wrap::MirroredRepeat &&
-                               isLinearAnywhere(texture);
-                    });
-         },
-         "softpipe reads the neighbouring slice where GL_MIRRORED_REPEAT with a linear filter hits exactly "
-         "the middle of a slice"},
+         N_("softpipe filters anisotropically only with GL_*_MIPMAP_LINEAR")},
+    Skip{
+        "mirrored-ellipse",
+        [](const Scene& scene, const Pair& pair, const Driver& driver) {
+            return pair.has(RendererKind::Reference) &&
+                   driver.anisotropy() == reference::AnisotropyMethod::Ellipse &&
+                   anyUnit(scene, [](const Unit&, const Texture& texture) {
+                       return texture.maxAnisotropy > 1 && (texture.wrapS == Wrap::MirroredRepeat ||
+                                                            texture.wrapT == Wrap::MirroredRepeat);
+                   });
+        },
+        N_("llvmpipe and softpipe read the texels of the ellipse at their lower edge instead of their middle, "
+           "so a mirrored image is off by one texel")},
+    Skip{
+        "filtered-depths",
+        [](const Scene& scene, const Pair& pair, const Driver& driver) {
+            return pair.has(RendererKind::Reference) && driver.name.starts_with("softpipe") &&
+                   anyUnit(scene, [](const Unit&, const Texture& texture) {
+                       return isDepth(texture.internalFormat) &&
+                              texture.compareMode == CompareMode::RToTexture && isLinearAnywhere(texture);
+                   });
+        },
+        N_("with GL_LINEAR softpipe compares r with the mean of the depths instead of each depth; OpenGL 2.1, "
+           "section 3.8.14, allows both")},
+    Skip{
+        "mirrored-slices",
+        [](const Scene& scene, const Pair& pair, const Driver& driver) {
+            return pair.has(RendererKind::Reference) && driver.name.starts_with("softpipe") &&
+                   anyUnit(scene, [](const Unit& unit, const Texture& texture) {
+                       return unit.target == Target::Texture3D && texture.wrapR == Wrap::MirroredRepeat &&
+                              isLinearAnywhere(texture);
+                   });
+        },
+        N_("softpipe reads the neighbouring slice where GL_MIRRORED_REPEAT with a linear filter hits exactly "
+           "the middle of a slice")},
     Skip{"half-way",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              const auto isHalf = [](float lambda) { return lambda - std::floor(lambda) == 0.5F; };
@@ -227,34 +230,36 @@ constexpr std::array skipRows{
                                (isHalf(texture.minLod) || isHalf(texture.maxLod));
                     });
          },
-         "softpipe uses the smaller of two levels where lambda is clamped to half-way between them; the "
-         "specification uses the larger one (OpenGL 2.1, equation 3.25)"},
-    Skip{"cube-wrap",
-         [](const Scene& scene, const Pair& pair, const Driver& driver) {
-             return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
-                    std::ranges::any_of(scene.passes, [&](const Pass& pass) {
-                        return !pass.seamlessCubeMap &&
-                               anyUnit(scene, pass, [](const Unit& unit, const Texture& texture) {
-                                   return unit.target == Target::CubeMap && isLinearAnywhere(texture) &&
-                                          (texture.wrapS != Wrap::ClampToEdge ||
-                                           texture.wrapT != Wrap::ClampToEdge);
-                               });
-                    });
-         },
-         "llvmpipe clamps a cube map's linear filter to the edge of its face, whatever the wrap modes are; "
-         "the specification wraps on the face as on any image (OpenGL 2.1, section 3.8.6)"},
-    Skip{"mixed-clamp",
-         [](const Scene& scene, const Pair& pair, const Driver& driver) {
-             return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
-                    anyUnit(scene, [](const Unit&, const Texture& texture) {
-                        const bool magnifies = texture.magFilter == MagFilter::Linear;
-                        return magnifies != reference::isLinear(texture.minFilter) &&
-                               (texture.wrapS == Wrap::Clamp || texture.wrapT == Wrap::Clamp ||
-                                texture.wrapR == Wrap::Clamp);
-                    });
-         },
-         "where only some of eight pixels are magnified, llvmpipe reads GL_NEAREST half a texel lower: with "
-         "GL_CLAMP the border shows"},
+         N_("softpipe uses the smaller of two levels where lambda is clamped to half-way between them; the "
+            "specification uses the larger one (OpenGL 2.1, equation 3.25)")},
+    Skip{
+        "cube-wrap",
+        [](const Scene& scene, const Pair& pair, const Driver& driver) {
+            return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
+                   std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+                       return !pass.seamlessCubeMap &&
+                              anyUnit(scene, pass, [](const Unit& unit, const Texture& texture) {
+                                  return unit.target == Target::CubeMap && isLinearAnywhere(texture) &&
+                                         (texture.wrapS != Wrap::ClampToEdge ||
+                                          texture.wrapT != Wrap::ClampToEdge);
+                              });
+                   });
+        },
+        N_("llvmpipe clamps a cube map's linear filter to the edge of its face, whatever the wrap modes are; "
+           "the specification wraps on the face as on any image (OpenGL 2.1, section 3.8.6)")},
+    Skip{
+        "mixed-clamp",
+        [](const Scene& scene, const Pair& pair, const Driver& driver) {
+            return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
+                   anyUnit(scene, [](const Unit&, const Texture& texture) {
+                       const bool magnifies = texture.magFilter == MagFilter::Linear;
+                       return magnifies != reference::isLinear(texture.minFilter) &&
+                              (texture.wrapS == Wrap::Clamp || texture.wrapT == Wrap::Clamp ||
+                               texture.wrapR == Wrap::Clamp);
+                   });
+        },
+        N_("where only some of eight pixels are magnified, llvmpipe reads GL_NEAREST half a texel lower: with "
+           "GL_CLAMP the border shows")},
     Skip{"no-seamless-cube-maps",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) && !driver.facts.seamlessCubeMaps &&
@@ -265,7 +270,7 @@ constexpr std::array skipRows{
                                });
                     });
          },
-         "the driver has neither OpenGL 3.2 nor GL_ARB_seamless_cube_map"},
+         N_("the driver has neither OpenGL 3.2 nor GL_ARB_seamless_cube_map")},
     Skip{"seamless-corners",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) && driver.name.starts_with("softpipe") &&
@@ -276,8 +281,8 @@ constexpr std::array skipRows{
                                });
                     });
          },
-         "where three faces meet, softpipe uses a neighbour's texel for the missing fourth; "
-         "GL_ARB_seamless_cube_map recommends the mean of the three but does not require it"},
+         N_("where three faces meet, softpipe uses a neighbour's texel for the missing fourth; "
+            "GL_ARB_seamless_cube_map recommends the mean of the three but does not require it")},
     Skip{"too-large",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) &&
@@ -285,7 +290,7 @@ constexpr std::array skipRows{
                         return isTooLarge(unit, texture, driver.facts);
                     });
          },
-         "the driver's maximum texture size is too small"},
+         N_("the driver's maximum texture size is too small")},
     Skip{"no-npot",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) && !driver.facts.nonPowerOfTwo &&
@@ -294,7 +299,7 @@ constexpr std::array skipRows{
                         return !arePowersOfTwo(level.width, level.height, level.depth);
                     });
          },
-         "the driver supports powers of two only (no GL_ARB_texture_non_power_of_two)"},
+         N_("the driver supports powers of two only (no GL_ARB_texture_non_power_of_two)")},
     Skip{"even-lines",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) && driver.name.starts_with("llvmpipe") &&
@@ -302,8 +307,8 @@ constexpr std::array skipRows{
                         return hasLines(model) && reference::roundedSize(model.lineWidth) % 2 == 0;
                     });
          },
-         "llvmpipe tests the diamonds at the ends of the original line; the specification moves lines of "
-         "even width by half a pixel first (OpenGL 2.1, section 3.4.2)"},
+         N_("llvmpipe tests the diamonds at the ends of the original line; the specification moves lines of "
+            "even width by half a pixel first (OpenGL 2.1, section 3.4.2)")},
     Skip{"whole-pixels",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) && driver.name.starts_with("softpipe") &&
@@ -313,8 +318,8 @@ constexpr std::array skipRows{
                         return hasLines(model) || (points && reference::roundedSize(model.pointSize) > 1);
                     });
          },
-         "softpipe draws lines between whole pixels, and wide lines and points as squares a quarter of a "
-         "pixel off the centre; OpenGL 2.1 allows one pixel more or less for lines (section 3.4.1)"},
+         N_("softpipe draws lines between whole pixels, and wide lines and points as squares a quarter of a "
+            "pixel off the centre; OpenGL 2.1 allows one pixel more or less for lines (section 3.4.1)")},
     Skip{"unrounded-alpha",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Fixed) && driver.name.starts_with("softpipe") &&
@@ -323,8 +328,8 @@ constexpr std::array skipRows{
                         return pass.enabled && pass.alphaTest && bytes != std::floor(bytes);
                     });
          },
-         "softpipe's fixed function compares alpha with a reference value that is not rounded to the bits "
-         "of the framebuffer (OpenGL 2.1, section 4.1.4)"},
+         N_("softpipe's fixed function compares alpha with a reference value that is not rounded to the bits "
+            "of the framebuffer (OpenGL 2.1, section 4.1.4)")},
     Skip{"sum-in-fog",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Fixed) && driver.version.find("Mesa") != std::string::npos &&
@@ -333,8 +338,8 @@ constexpr std::array skipRows{
                         return pass.enabled && pass.lighting && pass.fog.enabled;
                     });
          },
-         "Mesa's fixed function clamps the colour sum after the fog; the specification clamps it before "
-         "(OpenGL 2.1, section 3.9)"},
+         N_("Mesa's fixed function clamps the colour sum after the fog; the specification clamps it before "
+            "(OpenGL 2.1, section 3.9)")},
     Skip{"fog-without-length",
          [](const Scene& scene, const Pair& pair, const Driver&) {
              return pair.has(RendererKind::Fixed) && std::ranges::any_of(scene.passes, [](const Pass& pass) {
@@ -342,7 +347,7 @@ constexpr std::array skipRows{
                                pass.fog.start == pass.fog.end;
                     });
          },
-         "linear fog that ends where it starts divides by 0 (OpenGL 2.1, section 3.10)"},
+         N_("linear fog that ends where it starts divides by 0 (OpenGL 2.1, section 3.10)")},
     Skip{"too-few-units",
          [](const Scene& scene, const Pair&, const Driver& driver) {
              return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
@@ -354,7 +359,7 @@ constexpr std::array skipRows{
                  return false;
              });
          },
-         "the driver has fewer texture units than the scene uses"},
+         N_("the driver has fewer texture units than the scene uses")},
 };
 
 } // namespace

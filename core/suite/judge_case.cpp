@@ -1,5 +1,6 @@
 #include "texplorer/suite/judge_case.h"
 
+#include "texplorer/base/further.h"
 #include "texplorer/base/sentence.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/compare/comparison.h"
@@ -128,45 +129,46 @@ JudgedCase judgeStored(CaseRecord record, const Criterion& criterion, Image expe
 }
 
 /// Where the driver made use of what OpenGL leaves open of rho.
-std::string rhoSentence(const conform::Judgement& judgement) {
+Sentence rhoSentence(const conform::Judgement& judgement) {
     if (judgement.rho != reference::RhoMethod::Ideal)
-        return fmt::format("; rho is at the {} end of what OpenGL 2.1, section 3.8.8, allows (--rho {})",
-                           texplorer::rowOf(judgement.rho).name, texplorer::rowOf(judgement.rho).name);
+        return Sentence("rho is at the {0} end of what OpenGL 2.1, section 3.8.8, allows (--rho {0})",
+                        ProperName{texplorer::rowOf(judgement.rho).name});
     if (judgement.withinRho > 0)
-        return fmt::format("; {} by a rho within what OpenGL 2.1, section 3.8.8, allows",
-                           Sentence::plural("{0} pixel", "{0} pixels", judgement.withinRho));
+        return Sentence("{0} by a rho within what OpenGL 2.1, section 3.8.8, allows",
+                        Sentence::plural("{0} pixel", "{0} pixels", judgement.withinRho));
     return {};
 }
 
-std::string ruleSentence(const conform::Rule& rule, const conform::Judgement& judgement) {
+Sentence ruleSentence(const conform::Rule& rule, const conform::Judgement& judgement) {
     const Difference& difference = judgement.difference;
     const auto share = [&difference](std::size_t pixels) {
         return percentText(static_cast<double>(pixels) / static_cast<double>(difference.pixels));
     };
+    const ProperName name{rule.name};
     if (difference.max == 0)
-        return "it equals the reference's picture in every byte";
+        return N_("it equals the reference's picture in every byte");
     if (difference.over == 0)
-        return fmt::format("no pixel differs by more than {}/255 from the reference, by the rule {}",
-                           rule.bound, rule.name);
-    const std::string over =
-        fmt::format("{} ({}) {} by more than {}/255 from the reference",
-                    Sentence::plural("{0} pixel", "{0} pixels", difference.over), share(difference.over),
-                    difference.over == 1 ? "differs" : "differ", rule.bound);
+        return Sentence("no pixel differs by more than {0}/255 from the reference, by the rule {1}",
+                        rule.bound, name);
+    const Sentence over = Sentence::plural("{0} pixel ({1}) differs by more than {2}/255 from the reference",
+                                           "{0} pixels ({1}) differ by more than {2}/255 from the reference",
+                                           difference.over, ProperName{share(difference.over)}, rule.bound);
     const auto upTo = [](double near) {
-        return near < 1 ? "up to " + percentText(1 - near) : std::string("none");
+        return near < 1 ? Sentence("up to {0}", ProperName{percentText(1 - near)}) : Sentence(N_("none"));
     };
-    const std::string allowed = upTo(rule.explainedScene);
+    const Sentence allowed = upTo(rule.explainedScene);
+    const auto further = [&over](const Sentence& sentence) { return Sentence(furtherKey, over, sentence); };
     if (judgement.shareFar() > 1 - rule.nearScene)
-        return fmt::format("{}; {} ({}) by more than {}/255, of which the rule {} allows {}", over,
-                           Sentence::plural("{0} pixel", "{0} pixels", judgement.far), share(judgement.far),
-                           rule.farBound, rule.name, upTo(rule.nearScene));
+        return further(Sentence("{0} ({1}) by more than {2}/255, of which the rule {3} allows {4}",
+                                Sentence::plural("{0} pixel", "{0} pixels", judgement.far),
+                                ProperName{share(judgement.far)}, rule.farBound, name, upTo(rule.nearScene)));
     if (rule.tolerance == conform::Tolerance::None)
-        return fmt::format("{}; the rule {} allows {}", over, rule.name, allowed);
+        return further(Sentence("the rule {0} allows {1}", name, allowed));
     if (judgement.unexplained == 0)
-        return fmt::format("{}; the rule {} explains {}", over, rule.name,
-                           difference.over == 1 ? "it" : "all of them");
-    return fmt::format("{}; the rule {} explains all but {} of them ({}), and allows {}", over, rule.name,
-                       judgement.unexplained, share(judgement.unexplained), allowed);
+        return further(difference.over == 1 ? Sentence("the rule {0} explains it", name)
+                                            : Sentence("the rule {0} explains all of them", name));
+    return further(Sentence("the rule {0} explains all but {1} of them ({2}), and allows {3}", name,
+                            judgement.unexplained, ProperName{share(judgement.unexplained)}, allowed));
 }
 
 JudgedCase judgeByRule(CaseRecord record, const conform::Rule& rule, const Scene& scene, Image expected,
@@ -186,7 +188,9 @@ JudgedCase judgeByRule(CaseRecord record, const conform::Rule& rule, const Scene
     record.over = difference.over;
     record.unexplained = judgement->unexplained;
     record.state = judgement->isAllowed(rule) ? State::Passed : State::Failed;
-    record.sentence = ruleSentence(rule, *judgement) + rhoSentence(*judgement);
+    record.sentence = ruleSentence(rule, *judgement);
+    if (const Sentence rho = rhoSentence(*judgement); !rho.empty())
+        record.sentence = Sentence(furtherKey, record.sentence, rho);
     if (difference.max > 0) {
         const auto [x, y] = std::array{difference.worst.x, difference.worst.y};
         record.worst = {x, expected.height - 1 - y, colorAt(expected, x, y), colorAt(actual, x, y)};
@@ -270,8 +274,9 @@ JudgedCase judgeAgainstFiles(const CaseRecord& record, const fs::path& folder, c
     JudgedCase judged{record, {}, {}};
     judged.record.state = State::New;
     judged.record.golden = goldens.empty() ? std::string() : goldens.front();
-    judged.record.sentence = goldens.empty() ? "there is no golden for this driver"
-                                             : fmt::format("there is no golden yet: {}", goldens.front());
+    judged.record.sentence = goldens.empty()
+                                 ? Sentence(N_("there is no golden for this driver"))
+                                 : Sentence("there is no golden yet: {0}", ProperName{goldens.front()});
     return judged;
 }
 
@@ -282,7 +287,7 @@ reference::AnisotropyMethod anisotropyOf(const Golden& golden, const conform::Dr
                                                            : reference::DrawRequest().anisotropy;
 }
 
-CaseRecord recordOf(const Plan& plan, const Case& of, State state, std::string sentence) {
+CaseRecord recordOf(const Plan& plan, const Case& of, State state, Sentence sentence) {
     CaseRecord record{.name = of.name, .state = state, .sentence = std::move(sentence)};
     record.renderer = texplorer::rowOf(of.renderer).name;
     record.width = of.size.width;
@@ -309,7 +314,7 @@ std::optional<CaseRecord> recordWithoutDrawing(const Plan& plan, const Case& of,
         of.renderer == RendererKind::Reference ? nullptr : conform::skipOf(scene.scene, pair, driver);
     if (!skip)
         return {};
-    CaseRecord record = recordOf(plan, of, State::Skipped, std::string(skip->reason));
+    CaseRecord record = recordOf(plan, of, State::Skipped, skip->reason);
     record.driver = driver.name;
     return record;
 }

@@ -38,7 +38,7 @@ struct JudgedCase {
                                        const Image* mask = nullptr, unsigned threads = 1);
 
 /// The record of a case without a picture: `state` and the reason.
-[[nodiscard]] CaseRecord recordOf(const Plan& plan, const Case& of, State state, std::string sentence);
+[[nodiscard]] CaseRecord recordOf(const Plan& plan, const Case& of, State state, Sentence sentence);
 
 /// The record of a case whose scene could not be read (MissingScene, Error); empty: it can.
 [[nodiscard]] std::optional<CaseRecord> recordWithoutDrawing(const Plan& plan, const Case& of);

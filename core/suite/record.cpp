@@ -33,7 +33,7 @@ std::string skippedText(const RunRecord& run) {
     for (const CaseRecord& each : run.cases) {
         if (each.state != State::Skipped)
             continue;
-        const auto [at, isNew] = numbers.try_emplace(each.sentence, reasons.size());
+        const auto [at, isNew] = numbers.try_emplace(each.sentence.english(), reasons.size());
         if (isNew)
             reasons.push_back({&each, 1});
         else

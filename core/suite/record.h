@@ -63,7 +63,8 @@ struct WorstPixel {
 struct CaseRecord {
     std::string name;
     State state = State::Passed;
-    std::string sentence{};    ///< the result: "3.2 % of the pixels differ by more than 2, …"
+    Sentence sentence{};       ///< the result: "3.2 % of the pixels differ by more than 2, …"
+    std::optional<int> id{};   ///< of the sentence in messages.ids, which core doesn't know
     std::string code{};        ///< of an error: the name of its ErrorCode; else empty
     std::string explanation{}; ///< of the worst pixel: lines of plain text; empty: none
     double seconds = 0;

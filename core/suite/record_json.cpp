@@ -41,6 +41,8 @@ bool wasCompared(const CaseRecord& record) {
 OrderedJson caseJson(const CaseRecord& record) {
     OrderedJson json{{"name", record.name}, {"state", rowOf(record.state).name}};
     writeText(json, "sentence", record.sentence);
+    if (record.id)
+        json["id"] = *record.id;
     writeText(json, "code", record.code);
     writeText(json, "explanation", record.explanation);
     json["seconds"] = record.seconds;
@@ -146,7 +148,11 @@ void readCase(const Json& json, const std::string& where, Problem& problem, Case
     object.need("name");
     object.text("name", record.name, maxRecordText);
     readState(object, record.state);
-    object.text("sentence", record.sentence, maxRecordText);
+    std::string sentence;
+    object.text("sentence", sentence, maxRecordText);
+    record.sentence = std::move(sentence);
+    if (object.find("id"))
+        object.whole("id", record.id.emplace(), 1, max);
     object.text("code", record.code, maxRecordText);
     object.text("explanation", record.explanation, maxRecordText);
     object.number("seconds", record.seconds, 0, maxSeconds);

@@ -160,7 +160,7 @@ std::string timeText(const std::string& text) {
 report::Case pageCase(const CaseRecord& record, const std::string& runCommand,
                       const RunPageOptions& options) {
     report::Case shown{.name = record.name, .group = groupOf(record.name), .state = pageState(record.state)};
-    shown.message = record.sentence;
+    shown.message = record.sentence.english();
     shown.expected = pictureOf("Expected", record.expectedPicture, options.pixels);
     shown.actual = pictureOf("Actual", record.actualPicture, options.pixels);
     shown.difference = pictureOf("Where it differs", record.differencePicture, options.pixels);

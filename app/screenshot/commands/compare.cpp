@@ -8,6 +8,7 @@
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/long_work.h"
 #include "app/screenshot/output/output.h"
+#include "texplorer/base/further.h"
 #include "texplorer/base/sentence.h"
 #include "texplorer/compare/comparison.h"
 #include "texplorer/s3tc/surface_pixels.h"
@@ -110,7 +111,8 @@ std::string comparisonJson(const CompareOptions& options, const Comparison& comp
                            const std::string& note) {
     const Criterion& criterion = comparison.criterion;
     Json document{{"alike", comparison.alike},
-                  {"sentence", comparison.sentence},
+                  {"id", firstIdJson(comparison.sentence)},
+                  {"sentence", comparison.sentence.english()},
                   {"expected", options.expected},
                   {"actual", options.actual},
                   {"metric", rowOf(criterion.metric).name},
@@ -137,11 +139,12 @@ int report(const CompareOptions& options, const std::optional<ImageOutput>& outp
             !written)
             return complain(written.error(), picturesUnknown);
     if (output && !comparison.sameSize())
-        comparison.sentence += "; so there is no picture of the difference";
+        comparison.sentence = Sentence(furtherKey, comparison.sentence,
+                                       Sentence(N_("so there is no picture of the difference")));
     if (!isStandardOutput(options.out)) {
         const Result<void> printed =
             print(options.json ? comparisonJson(options, comparison, note)
-                               : comparison.sentence + (note.empty() ? "" : "; " + note) + "\n");
+                               : comparison.sentence.english() + (note.empty() ? "" : "; " + note) + "\n");
         if (!printed)
             return complain(printed.error(), picturesUnknown);
     }

@@ -88,6 +88,11 @@ Json messageJson(const Sentence& message) {
         {"id", id ? Json(*id) : Json()}, {"message", message.english()}, {"arguments", std::move(arguments)}};
 }
 
+Json firstIdJson(const Sentence& sentence) {
+    const std::optional<int> id = firstIdOf(sentence);
+    return id ? Json(*id) : Json();
+}
+
 Json messagesJson(std::span<const Sentence> messages) {
     Json list = Json::array();
     for (const Sentence& each : messages)

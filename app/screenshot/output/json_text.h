@@ -25,6 +25,9 @@ void noteError(const Error& error);
 /// a number, a text or such an object.
 [[nodiscard]] nlohmann::ordered_json messageJson(const Sentence& message);
 
+/// firstIdOf, or null.
+[[nodiscard]] nlohmann::ordered_json firstIdJson(const Sentence& sentence);
+
 [[nodiscard]] nlohmann::ordered_json messagesJson(std::span<const Sentence> messages);
 
 /// messageJson with "where", the steps of the location, and "code", the name of an ErrorCode.

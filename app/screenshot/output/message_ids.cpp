@@ -1,5 +1,8 @@
 #include "app/screenshot/output/message_ids.h"
 
+#include "texplorer/base/further.h"
+#include "texplorer/base/result.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -36,6 +39,12 @@ const Ids& allIds() {
 std::optional<int> idOf(const Sentence& message) {
     const auto found = allIds().find(message.key().empty() ? message.english() : std::string(message.key()));
     return found == allIds().end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<int> firstIdOf(const Sentence& sentence) {
+    if (sentence.key() == furtherKey.text)
+        return firstIdOf(sentence.arguments().front());
+    return idOf(sentence.key() == describedKey.text ? sentence.arguments().back() : sentence);
 }
 
 std::optional<std::string_view> knownMessage(const std::string& key) {

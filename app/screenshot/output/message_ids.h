@@ -23,6 +23,9 @@ struct AnswerFile {
 /// those of the system and of drivers.
 [[nodiscard]] std::optional<int> idOf(const Sentence& message);
 
+/// That of what a sentence says first: of "{0}; {1}" the first, of "where: message" the message.
+[[nodiscard]] std::optional<int> firstIdOf(const Sentence& sentence);
+
 /// The key of a message that has an ID, for the time of the program; none: no message has this key.
 [[nodiscard]] std::optional<std::string_view> knownMessage(const std::string& key);
 

@@ -5,8 +5,6 @@
 #include "texplorer/image/convert.h"
 #include "texplorer/suite/suite_folder.h"
 
-#include <fmt/core.h>
-
 namespace texplorer::screenshot {
 namespace {
 
@@ -41,7 +39,8 @@ WorkAnswer writeGolden(const fs::path& folder, const std::string& golden, ByteVi
     if (!placed)
         return {.record = suite::problemOf(std::move(record), placed.error())};
     const bool isNew = record.state == State::New || record.state == State::Extra;
-    record.sentence = fmt::format("the golden is {}: {}", isNew ? "new" : "updated", golden);
+    record.sentence = isNew ? Sentence("the golden is new: {0}", ProperName{golden})
+                            : Sentence("the golden is updated: {0}", ProperName{golden});
     record.state = State::Passed;
     record.golden = golden;
     record.code.clear();

@@ -55,7 +55,7 @@ WorkAnswer comparePair(const WorkOrder& order) {
     }
     CaseRecord record{.name = order.name, .state = State::Missing, .golden = order.name};
     if (!actual) {
-        record.sentence = "there is a golden, and no picture";
+        record.sentence = N_("there is a golden, and no picture");
         return answerWithPictures(order, std::move(record), {.expected = &expected->image});
     }
     if (broken) {
@@ -65,7 +65,7 @@ WorkAnswer comparePair(const WorkOrder& order) {
     if (!expected) {
         record.state = State::Extra;
         record.golden.clear();
-        record.sentence = "there is a picture, and no golden";
+        record.sentence = N_("there is a picture, and no golden");
         if (order.update)
             return writeGolden(order.setup.golden, order.name, ByteView(actual->bytes), std::move(record));
         return answerWithPictures(order, std::move(record), {.actual = &actual->image});

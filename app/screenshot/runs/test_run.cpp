@@ -1,9 +1,11 @@
 #include "app/screenshot/runs/test_run.h"
 
 #include "app/screenshot/gl/mesa_settings.h"
+#include "app/screenshot/output/message_ids.h"
 #include "app/screenshot/runs/case_worker.h"
 #include "app/screenshot/runs/run_folder.h"
 #include "app/screenshot/workers/pool.h"
+#include "texplorer/base/further.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/suite/judge_case.h"
 #include "texplorer/text/printable.h"
@@ -82,7 +84,7 @@ private:
     [[nodiscard]] std::map<std::size_t, std::size_t> sharers() const;
     [[nodiscard]] workers::Job jobOf(std::size_t index, bool update) const;
     [[nodiscard]] CaseRecord recordOf(std::size_t index, const Outcome& outcome);
-    [[nodiscard]] CaseRecord recordWithout(const RunItem& item, State state, std::string sentence);
+    [[nodiscard]] CaseRecord recordWithout(const RunItem& item, State state, const Sentence& sentence);
     [[nodiscard]] std::string fingerprintOf(const RunItem& item);
     [[nodiscard]] std::string_view workerOf(const RunItem& item) const;
     [[nodiscard]] bool drawsWithOpenGl(const RunItem& item) const;
@@ -249,10 +251,10 @@ workers::Job TestRun::jobOf(std::size_t index, bool update) const {
             .weight = item.pixels};
 }
 
-CaseRecord TestRun::recordWithout(const RunItem& item, State state, std::string sentence) {
+CaseRecord TestRun::recordWithout(const RunItem& item, State state, const Sentence& sentence) {
     CaseRecord record{.name = item.name, .state = state, .sentence = sentence};
     if (!planned_.plan.cases.empty()) {
-        record = suite::recordOf(planned_.plan, planned_.plan.cases[item.number], state, std::move(sentence));
+        record = suite::recordOf(planned_.plan, planned_.plan.cases[item.number], state, sentence);
         if (drawsWithOpenGl(item))
             record.driver = finished_.run.driver;
     }
@@ -281,9 +283,12 @@ CaseRecord TestRun::recordOf(std::size_t index, const Outcome& outcome) {
         if (!outcome.lastWords.empty())
             record.explanation = "Last output:\n" + printable(outcome.lastWords, LineBreaks::Keep);
     }
+    if (!record.id) // else the worker process said it
+        record.id = firstIdOf(record.sentence);
     if (const auto sharer = sharers_.find(index); sharer != sharers_.end() && record.state == State::Failed)
-        record.sentence += fmt::format("; its golden is also that of {}, from which --update writes it",
-                                       planned_.items[sharer->second].name);
+        record.sentence = Sentence(furtherKey, record.sentence,
+                                   Sentence("its golden is also that of {0}, from which --update writes it",
+                                            ProperName{planned_.items[sharer->second].name}));
     if (drawsWithOpenGl(item))
         record.settings = settingsFor(item.precise);
     record.seconds = outcome.took.count();

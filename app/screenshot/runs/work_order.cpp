@@ -1,5 +1,6 @@
 #include "app/screenshot/runs/work_order.h"
 
+#include "app/screenshot/output/message_ids.h"
 #include "app/screenshot/output/sent_error.h"
 #include "texplorer/suite/record_json.h"
 
@@ -113,7 +114,12 @@ Result<WorkOrder> parseOrder(std::string_view bytes) {
 }
 
 std::string bytesOf(const WorkAnswer& answer) {
-    return packed({{"record", answer.record ? suite::journalLine(*answer.record) : std::string()},
+    std::string line;
+    if (std::optional<suite::CaseRecord> record = answer.record) {
+        record->id = firstIdOf(record->sentence); // of which the line has the words alone
+        line = suite::journalLine(*record);
+    }
+    return packed({{"record", line},
                    {"name", answer.record ? answer.record->name : std::string()},
                    {"wrote", answer.wrote},
                    {"problem", answer.problem ? sentJson(*answer.problem) : OrderJson()},

@@ -49,6 +49,7 @@ class Compare(Texshot):
         b = self.picture("b.png", pixels=[(7, 4, (100, 130, 100)), (8, 5, (100, 100, 40)), (30, 20, (102, 100, 100))])
         found = self.numbers(a, b, status=DIFFERENT)
         sentence = found.pop("sentence")
+        self.assertIsInstance(found.pop("id"), int)
         self.assertIn("3 of 1200 pixels", sentence)
         self.assertAlmostEqual(found.pop("score"), 92 / 4800)
         self.assertAlmostEqual(found["difference"].pop("mean"), 92 / 4800)

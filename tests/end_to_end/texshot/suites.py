@@ -81,6 +81,8 @@ class Suites(Texshot):
             self.assertEqual(result.returncode, code, result.stderr)
         run = single(result.stdout)
         self.assertEqual(run["status"], result.returncode)
+        for case in run["cases"]:
+            self.assertEqual("id" in case, "sentence" in case, case)
         return {case["name"].split("/")[0]: case for case in run["cases"]}
 
     def states(self, *arguments, **options):

@@ -1,4 +1,6 @@
+#include "app/screenshot/output/message_ids.h"
 #include "app/screenshot/runs/work_order.h"
+#include "texplorer/base/further.h"
 
 #include <gtest/gtest.h>
 
@@ -52,6 +54,22 @@ TEST(WorkAnswer, ArrivesAsItWasSent) {
     ASSERT_TRUE(answer) << answer.error().message;
     EXPECT_EQ(*answer, sampleAnswer());
     EXPECT_EQ(*parseAnswer(bytesOf(WorkAnswer{})), WorkAnswer{});
+}
+
+TEST(WorkAnswer, NamesTheMessageThatItsSentenceBeginsWith) {
+    const Sentence lost("can't be opened: {0}", "No such file");
+    const auto idSent = [](Sentence sentence) {
+        WorkAnswer answer;
+        answer.record = suite::CaseRecord{.name = "a", .sentence = std::move(sentence)};
+        return parseAnswer(bytesOf(answer)).value().record->id;
+    };
+    ASSERT_TRUE(idOf(lost));
+    EXPECT_EQ(idSent(lost), idOf(lost));
+    EXPECT_EQ(idSent(describe({ErrorCode::NotFound, lost, inFile("a.json")})), idOf(lost));
+    EXPECT_EQ(
+        idSent(Sentence(furtherKey, Sentence(furtherKey, lost, Sentence("more")), Sentence("and more"))),
+        idOf(lost));
+    EXPECT_EQ(idSent("a text of a driver"), std::nullopt);
 }
 
 TEST(WorkOrder, OtherBytesAreRefusedWithoutACrash) {
