@@ -45,7 +45,7 @@ bool isTransferred(const Texture& texture, const TextureImage& image) {
         texture.npot != NpotPolicy::Keep || isDepth(texture.internalFormat) ||
         hasFewBits(texture.internalFormat) || texture.source == SourceKind::LightDepth ||
         texture.compression == Compression::Driver || texture.compression == Compression::Cached ||
-        !std::holds_alternative<Image>(image.surfaces.front()))
+        texture.upload.custom || !std::holds_alternative<Image>(image.surfaces.front()))
         return false;
     const ImageStep& step = texture.preparation.front();
     const glm::vec4 white = step.factor + step.bias;
@@ -60,7 +60,8 @@ bool isTransferred(const Texture& texture, const TextureImage& image) {
 Texture withCallsOf(Flavour flavour, const Texture& texture, const TextureImage& image,
                     const ProgramOptions& options) {
     const bool isCore = flavour == Flavour::Glsl;
-    if (options.selfContained || (isCore && texture.mipmaps == MipPolicy::Glu))
+    // Of a custom upload the levels are made of what it reads.
+    if (!texture.upload.custom && (options.selfContained || (isCore && texture.mipmaps == MipPolicy::Glu)))
         return withGeneratedLevels(texture);
     Texture settings = texture;
     if (!isCore && isTransferred(texture, image))
@@ -68,6 +69,13 @@ Texture withCallsOf(Flavour flavour, const Texture& texture, const TextureImage&
     if (isCore && texture.mipmaps == MipPolicy::OnUpload)
         settings.mipmaps = MipPolicy::GenerateMipmap;
     return settings;
+}
+
+/// Whether a program can make the call: OpenGL 3.3's core profile has no luminance, and scales nothing.
+bool hasCall(Flavour flavour, const Upload& upload) {
+    return flavour == Flavour::Fixed || (componentsOf(upload.format).find('l') == std::string_view::npos &&
+                                         upload.format != TransferFormat::Alpha &&
+                                         upload.scale == glm::vec4(1) && upload.bias == glm::vec4(0));
 }
 
 /// What of a program reads it.
@@ -92,6 +100,7 @@ std::vector<std::optional<TexelRequest>> requestsOf(Flavour flavour, const Scene
             continue;
         const Texture settings = imageSettings(withCallsOf(flavour, texture, *pictures.base, options));
         request.emplace(TexelRequest{{std::move(pictures), settings, object.target}});
+        request->readsMemory = hasCall(flavour, texture.upload);
         if (mayRead(texture, images, options)) {
             request->file = images.directory() / texture.file;
             request->fileInMemory = images.fileInMemory(texture.file);
@@ -225,8 +234,8 @@ TextureCodes::Code TextureCodes::of(const TexelRequest& request) {
         return kept->code;
     }
     const LevelsRequest& levels = request.levels;
-    auto code = std::make_shared<const Result<TextureCode>>(
-        textureCode(levels.settings, levels.pictures, levels.target, readerFor(request), work_));
+    auto code = std::make_shared<const Result<TextureCode>>(textureCode(
+        levels.settings, levels.pictures, levels.target, readerFor(request), work_, request.readsMemory));
     if (*code || code->error().code != ErrorCode::Cancelled)
         keep(request, code);
     return code;

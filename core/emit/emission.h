@@ -4,6 +4,7 @@
 #include "texplorer/emit/code_writer.h"
 #include "texplorer/emit/model_data.h"
 #include "texplorer/emit/program.h"
+#include "texplorer/emit/texel_code.h"
 #include "texplorer/scene/params/keys.h"
 #include "texplorer/scene/texture_matrix.h"
 
@@ -155,6 +156,14 @@ void writeTextures(Emission& emission);
 /// What moves of them, in every frame before what shows them.
 void writeMovingTextures(Emission& emission);
 void writeTexels(Emission& emission, const Holder& holder, std::size_t object);
+// Calls before an upload and, if it is over, after it, with OpenGL's initial values.
+/// glPixelTransferf: what a step says of all levels.
+void writeTransfer(CodeWriter& writer, const ImageStep& step, const std::string& path, bool isOver);
+/// glPixelStorei and glPixelTransferf of a custom upload.
+void writeUnpacking(CodeWriter& writer, const Upload& upload, const std::string& path, bool isOver);
+/// The array of what a custom upload reads, of all faces; the expression for where it is read.
+[[nodiscard]] std::string writeMemory(Emission& emission, const std::shared_ptr<const LevelCode>& level,
+                                      const Upload& upload, const std::string& name);
 /// glClear, and the projection for a picture of `width` times `height`.
 void writeProjection(Emission& emission);
 /// Both of programs that make their matrices themselves: the projection and the view.

@@ -49,37 +49,21 @@ public:
                                 plain(fmt::format(", {}); ", code_.flipsBlocks ? 1 : 0)),
                                 comment("every mip level")});
         }
-        if (isTransferred_)
-            transfer(false);
+        const auto prepare = [&](bool isOver) {
+            if (isTransferred_)
+                writeTransfer(writer_, texture_.preparation.front(),
+                              pathOf(elementOf<&Texture::preparation>(0)), isOver);
+            if (code_.call)
+                writeUnpacking(writer_, texture_.upload, pathOf(keyOf<&Texture::upload>()), isOver);
+        };
+        prepare(false);
         for (const LevelGroup& group : groupsOf(code_))
             writeGroup(group);
-        if (isTransferred_)
-            transfer(true);
+        prepare(true);
     }
 
 private:
     [[nodiscard]] bool isCube() const { return code_.faces > 1; }
-
-    /// glPixelTransferf, with the scale's numbers or with OpenGL's initial ones.
-    void transfer(bool isInitial) {
-        const ImageStep initial;
-        const ImageStep& step = texture_.preparation.front();
-        const std::string path = pathOf(elementOf<&Texture::preparation>(0));
-        const auto set = [&](glm::vec4 ImageStep::*member, const std::array<std::string_view, 4>& names,
-                             const std::string& key) {
-            for (int i = 0; i < 4; ++i) {
-                if ((step.*member)[i] == (initial.*member)[i])
-                    continue;
-                const std::string param = fmt::format("{}.{}", path, key);
-                writer_.add(callWith(
-                    "glPixelTransferf",
-                    {plain(fmt::format("{}, ", names.at(static_cast<std::size_t>(i)))),
-                     isInitial ? number((initial.*member)[i]) : number((step.*member)[i], param, i)}));
-            }
-        };
-        set(&ImageStep::factor, transferScales, keyOf<&ImageStep::factor>());
-        set(&ImageStep::bias, transferBiases, keyOf<&ImageStep::bias>());
-    }
 
     void writeGroup(const LevelGroup& group) {
         const LevelCode& level = group.first();
@@ -145,7 +129,8 @@ private:
     [[nodiscard]] std::string faceOf(const std::string& texels, const LevelCode& level) const {
         if (!isCube())
             return texels;
-        const std::size_t size = level.source == TexelSource::Compressed ? level.bytes.size() / 6 : 0;
+        const bool isWhole = level.source == TexelSource::Compressed || level.source == TexelSource::Memory;
+        const std::size_t size = isWhole ? level.bytes.size() / 6 : 0;
         return fmt::format("{} + face * {}", texels,
                            size > 0 ? std::to_string(size) : product({level.width, level.height, 4}));
     }
@@ -169,6 +154,8 @@ private:
             emission_.addData("GLuint", name, level.bytes.size() / 4, numbersOf(level, true));
             return name;
         }
+        if (level.source == TexelSource::Memory)
+            return writeMemory(emission_, {owner_, &level}, texture_.upload, own + "Memory");
         const std::string size = product({level.width, level.height, level.depth, code_.faces, 4});
         if (level.source == TexelSource::Listed) {
             std::vector<std::uint8_t> bytes(level.bytes.size());
@@ -283,6 +270,15 @@ private:
             writer_.outdent();
     }
 
+    /// Of an image of few bits drivers would store as few.
+    [[nodiscard]] bool namesBits() const {
+        return !emission_.isCore && !code_.driverCompresses && code_.call &&
+               factsOf(code_.call->layout.type).isPacked() && !sizedNameOf(texture_.internalFormat).empty();
+    }
+    [[nodiscard]] std::string uploadPath(const std::string& key) const {
+        return fmt::format("{}.{}", pathOf(keyOf<&Texture::upload>()), key);
+    }
+
     [[nodiscard]] ParamRow formatRow() const {
         return *findParam(textureTable(), code_.driverCompresses ? keyOf<&Texture::compressedFormat>()
                                                                  : keyOf<&Texture::internalFormat>());
@@ -303,6 +299,8 @@ private:
         std::string words = callFor(row, holder_.target);
         const std::size_t bracket = words.find('(');
         const auto resolve = [&](std::string_view word) -> std::optional<std::vector<Part>> {
+            if (word == "{}" && namesBits())
+                return std::vector<Part>{choice(sizedNameOf(texture_.internalFormat), pathOf(row.key))};
             if (word == "{}")
                 return std::vector<Part>{choice(emission_.isCore && !code_.driverCompresses
                                                     ? coreFormatOf(code_.shape.internalFormat).name
@@ -321,6 +319,12 @@ private:
                 return std::vector<Part>{code_.border == texture_.border
                                              ? whole(texture_.border, pathOf(word))
                                              : whole(code_.border)};
+            if (word == "format" && code_.call)
+                return std::vector<Part>{
+                    choice(rowOf(code_.call->layout.format).name, uploadPath(keyOf<&Upload::format>()))};
+            if (word == unsignedByteType && code_.call)
+                return std::vector<Part>{
+                    choice(rowOf(code_.call->layout.type).name, uploadPath(keyOf<&Upload::type>()))};
             if (word == "format")
                 return std::vector<Part>{
                     plain(std::string(depths ? depthPixels : rowOf(BaseFormat::Rgba).name))};

@@ -46,6 +46,7 @@ struct TexelRequest {
     LevelsRequest levels;
     std::filesystem::path file{};                ///< that the program may read instead; empty: none
     std::shared_ptr<const Bytes> fileInMemory{}; ///< what it holds, where it lies in no folder
+    bool readsMemory = false;                    ///< custom uploads are calls
 
     bool operator==(const TexelRequest&) const = default;
 };

@@ -17,6 +17,7 @@ namespace {
 struct Faces {
     int number;
     std::vector<const Surface*> surfaces;
+    Bytes memory{}; ///< of all, one after the other
 };
 
 /// What OpenGL takes: square faces, and no level whose base would be larger than most drivers' textures are.
@@ -38,6 +39,8 @@ std::vector<Faces> facesOf(const TextureLevels& levels, Target target) {
         if (found == all.end())
             found = all.insert(all.end(), {level.number, {}});
         found->surfaces.push_back(&*level.surface);
+        if (level.memory)
+            found->memory.insert(found->memory.end(), level.memory->begin(), level.memory->end());
     }
     std::ranges::sort(all, {}, &Faces::number);
     return all;
@@ -113,7 +116,9 @@ public:
         , reader_(reader) {}
 
     /// After a stop request not all of it.
-    TextureCode make(const TextureLevels& levels, const std::stop_token& stop) {
+    TextureCode make(const TextureLevels& levels, const std::stop_token& stop, bool readsMemory) {
+        if (readsMemory && !levels.levels.empty() && levels.levels.front().memory)
+            out_.call = levels.call;
         out_.border = levels.border;
         out_.lastLevel = levels.lastLevel;
         out_.lateFlip = levels.lateFlip;
@@ -179,6 +184,12 @@ private:
 
     void addPixels(const Faces& faces, const Image& first) {
         LevelCode level{faces.number, first.width, first.height, first.depth};
+        if (out_.call) {
+            level.source = TexelSource::Memory;
+            level.bytes = faces.memory;
+            out_.levels.push_back(std::move(level));
+            return;
+        }
         if (first.format == PixelFormat::Depth32) {
             level.source = TexelSource::Depths;
             level.bytes = joined(faces);
@@ -242,13 +253,13 @@ private:
 } // namespace
 
 Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& pictures, Target target,
-                                FileReader reader, const LevelWork& work) {
+                                FileReader reader, const LevelWork& work, bool readsMemory) {
     Result<TextureLevels> levels = prepareLevels(texture, pictures, target, work);
     if (!levels)
         return fail(levels.error());
     const reference::SampledTexture shape = reference::shapeOf(*levels, target);
     bool isCalled = levels->madeByDriver;
-    if (texture.mipmaps == MipPolicy::Glu) { // which scales the image itself
+    if (texture.mipmaps == MipPolicy::Glu && !texture.upload.custom) { // which scales the image itself
         Texture unscaled = texture;
         unscaled.mipmaps = MipPolicy::GenerateMipmap;
         unscaled.npot = NpotPolicy::Keep;
@@ -261,7 +272,7 @@ Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& p
     }
     if (isCalled)
         std::erase_if(levels->levels, [](const TextureLevel& level) { return level.number > 0; });
-    TextureCode code = CodeMaker(texture, pictures, target, reader).make(*levels, work.stop);
+    TextureCode code = CodeMaker(texture, pictures, target, reader).make(*levels, work.stop, readsMemory);
     if (work.stop.stop_requested())
         return fail(ErrorCode::Cancelled, "making its levels was cancelled");
     code.shape = shape;
@@ -361,6 +372,12 @@ Bytes packed(ByteView texels) {
         before = texel;
     }
     return out;
+}
+
+Bytes withoutZerosAtEnd(Bytes bytes) {
+    while (bytes.size() > 1 && bytes.back() == std::byte{0})
+        bytes.pop_back();
+    return bytes;
 }
 
 std::string numbersText(ByteView bytes, bool wide) {

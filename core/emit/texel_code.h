@@ -26,6 +26,7 @@ enum class TexelSource : std::uint8_t {
     Packed,     ///< many: packed, and unpack() makes them
     Compressed, ///< blocks, as they are
     Depths,     ///< 32 bits each
+    Memory,     ///< of a custom upload: the bytes that glTexImage is given
 };
 
 /// A level of all faces.
@@ -37,7 +38,8 @@ struct LevelCode {
     TexelSource source = TexelSource::Listed;
     std::array<std::uint8_t, 4> color{}; ///< of Flat; what is light of Checker
     int square = 0;                      ///< of Checker: texels
-    /// Of all faces, one after the other: RGBA texels of Listed, the packed ones, blocks, depths of 32 bits.
+    /// Of all faces, one after the other: RGBA texels of Listed, the packed ones, blocks, depths of 32 bits,
+    /// memory.
     Bytes bytes{};
 };
 
@@ -61,6 +63,7 @@ struct TextureCode {
     MipPolicy mipmaps = MipPolicy::Generated;
     FileReader reader = FileReader::None; ///< of the level with TexelSource::Read, or of all of a DDS file
     bool flipsBlocks = false;             ///< of a DDS file: its blocks are turned around when they are read
+    std::optional<UploadCall> call{};     ///< of Memory
     reference::SampledTexture shape{};    ///< the extents of its levels
 };
 
@@ -83,14 +86,17 @@ inline constexpr int maxListed = 64;
 /// What reads a file that begins with these bytes: at least the first 128, or all.
 [[nodiscard]] FileReader readerOf(ByteView start);
 
-/// `reader`: what may read the file; it does where the texture has what it gives. Errors: those of
-/// prepareLevels.
+/// `reader`: what may read the file; it does where the texture has what it gives. `readsMemory`: custom
+/// uploads are calls; otherwise there are the texels that come of them. Errors: those of prepareLevels.
 [[nodiscard]] Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& pictures,
                                               Target target, FileReader reader = FileReader::None,
-                                              const LevelWork& work = {});
+                                              const LevelWork& work = {}, bool readsMemory = false);
 
 /// RGBA texels as the "Quite OK Image Format" packs them (qoiformat.org), without its header and end.
 [[nodiscard]] Bytes packed(ByteView texels);
+
+/// Without zeros at its end, which C fills in, but for the first byte.
+[[nodiscard]] Bytes withoutZerosAtEnd(Bytes bytes);
 
 /// "12, 255, 0,\n": C's numbers, in rows of up to 100 letters. Of elements of 4 bytes each where `wide` says
 /// so, as hexadecimal numbers.

@@ -102,6 +102,27 @@ inline constexpr std::array formatFacts{
     return static_cast<InternalFormat>(format);
 }
 
+/// The name with eight bits per component, where the name leaves the number open: drivers may choose fewer if
+/// an image has fewer (OpenGL 2.1, section 3.8.1).
+[[nodiscard]] constexpr std::string_view sizedNameOf(InternalFormat format) {
+    switch (format) {
+    case InternalFormat::Alpha:
+        return "GL_ALPHA8";
+    case InternalFormat::Luminance:
+        return "GL_LUMINANCE8";
+    case InternalFormat::LuminanceAlpha:
+        return "GL_LUMINANCE8_ALPHA8";
+    case InternalFormat::Intensity:
+        return "GL_INTENSITY8";
+    case InternalFormat::Rgb:
+        return "GL_RGB8";
+    case InternalFormat::Rgba:
+        return "GL_RGBA8";
+    default:
+        return {};
+    }
+}
+
 /// The heading of its group in a list.
 [[nodiscard]] constexpr std::string_view groupOf(InternalFormat format) {
     switch (factsOf(format).encoding) {

@@ -54,7 +54,7 @@ LevelPlan LevelMaker::plan() {
         return plan;
     }
     if (readsMemory() && !checkUpload())
-        return plan; // OpenGL refuses it
+        return {}; // OpenGL refuses it
     const bool compresses =
         texture_.compression == Compression::Driver || texture_.compression == Compression::Cached;
     if (compresses && axesOf(target_) == 2 && !hasBorder() && !isDepth(texture_.internalFormat))

@@ -202,6 +202,40 @@ class Programs:
                 with self.subTest(case.name):
                     self.assertEqual((verdict.wrong, verdict.refused), ("", ""))
 
+    def test_uploads_what_the_memory_holds(self):
+        """glTexImage is given the program's bytes and what it is told of them, whether both agree or not."""
+        layout = {"custom": True, "memory": "layout"}
+        uploads = {
+            "sheared": ({**layout, "memoryFormat": "GL_RGB", "memoryAlignment": 1, "format": "GL_RGB", "alignment": 8}, {}, "glPixelStorei(GL_UNPACK_ALIGNMENT, 8);"),
+            "blue-first": ({**layout, "memoryFormat": "GL_BGR", "format": "GL_RGB", "alignment": 1}, {"mipmaps": "generated"}, "GL_RGB, GL_UNSIGNED_BYTE, texture0Level1Memory"),
+            "packed": ({"custom": True, "format": "GL_BGRA", "type": "GL_UNSIGNED_SHORT_1_5_5_5_REV"}, {"mipmaps": "glGenerateMipmap"}, "GL_BGRA, GL_UNSIGNED_SHORT_1_5_5_5_REV, "),
+            "part": ({"custom": True, "rowLength": 70, "skipRows": 3, "skipPixels": 5}, {}, "glPixelStorei(GL_UNPACK_SKIP_ROWS, 3);"),
+            "swapped": ({"custom": True, "format": "GL_RGB", "type": "GL_UNSIGNED_SHORT", "swapBytes": True}, {}, "glPixelStorei(GL_UNPACK_SWAP_BYTES, GL_TRUE);"),
+            "swapped-part": ({"custom": True, "format": "GL_RGB", "type": "GL_UNSIGNED_SHORT", "swapBytes": True, "rowLength": 70, "skipPixels": 2}, {}, "texture0Memory + 12"),
+            "scaled": ({"custom": True, "scale": [0.5, 1, 2, 1], "bias": [0, 0.25, 0, 0]}, {}, None),
+            "luminance": ({"custom": True, "format": "GL_LUMINANCE"}, {"mipmaps": "gluBuild2DMipmaps"}, None),
+            "not-an-alignment": ({"custom": True, "format": "GL_RGB", "alignment": 3}, {}, "glPixelStorei(GL_UNPACK_ALIGNMENT, 4);"),
+            "depth": ({"custom": True, "format": "GL_DEPTH_COMPONENT", "type": "GL_UNSIGNED_SHORT"}, {"internalFormat": "GL_DEPTH_COMPONENT16"}, "GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, texture0Memory"),
+            "refused": ({"custom": True, "format": "GL_RGB", "type": "GL_UNSIGNED_SHORT_4_4_4_4"}, {}, "GL_UNSIGNED_SHORT_4_4_4_4 takes GL_RGBA or GL_BGRA, not GL_RGB"),
+        }
+        with tempfile.TemporaryDirectory() as folder:
+            cases = []
+            for name, (upload, more, _) in uploads.items():
+                texture = {"pattern": "uv-template", "minFilter": "GL_LINEAR_MIPMAP_NEAREST" if "mipmaps" in more else "GL_LINEAR", "upload": upload, **more}
+                scene = Path(folder) / f"upload-{name}.json"
+                # A second texture, whose upload is not custom: what the first has told is set back.
+                scene.write_text(json.dumps({"version": 1, "view": {"distance": 7}, "textures": [texture, {"pattern": "brick", "minFilter": "GL_LINEAR"}],
+                                             "models": [{"shape": "quad", "position": [-1.2, 0, 0]}, {"shape": "quad", "position": [1.2, 0, 0]}],
+                                             "passes": [{"models": [m], "units": [{"enabled": True, "texture": m}]} for m in (0, 1)]}))
+                cases.append(Case(name, (str(scene),), Path(folder) / f"{name}.json"))
+                written(TEXSHOT, cases[-1])
+            verdicts = Proof(TEXSHOT, self.FLAVOUR, self.capture, Path(KEEP) / "uploads").of_all(cases)
+            for case, verdict, (name, (_, _, call)) in zip(cases, verdicts, uploads.items()):
+                with self.subTest(case.name):
+                    self.assertEqual((verdict.wrong, verdict.refused), ("", ""))
+                    if call and not (name == "refused" and self.FLAVOUR is not FIXED):  # which leaves it out
+                        self.assertIn(call, said(TEXSHOT, "emit", *case.words, "--as", self.FLAVOUR.name))
+
     def test_another_scene_differs(self):
         class OfAnotherScene(Proof):
             def emit(self, case, file):
