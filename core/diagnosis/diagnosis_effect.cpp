@@ -114,6 +114,17 @@ Sentence noLod(const Texture& texture, const TextureFacts&) {
                 : "";
 }
 
+/// glCompressedTexImage takes blocks as they are, and glCopyTexImage reads no memory.
+Sentence noUpload(const Texture& texture, const TextureFacts& facts) {
+    if (texture.source == SourceKind::LightDepth)
+        return N_("the driver copies the picture that the light sees");
+    const bool isRead = std::ranges::any_of(
+        facts.targets, [](const TargetFacts& each) { return each.plan.upload.has_value(); });
+    return texture.upload.custom && facts.image && !isRead
+               ? N_("glCompressedTexImage uploads blocks, which have no format, type or rows")
+               : "";
+}
+
 bool isDepthTexture(const Texture& texture) {
     return isDepth(texture.internalFormat);
 }
@@ -143,6 +154,7 @@ constexpr std::array settings{
     Setting{keyOf<&Texture::compareFunc>, noCompareFunc},
     Setting{keyOf<&Texture::depthMode>, noComparing},
     Setting{keyOf<&Texture::flip>, noFlip},
+    Setting{keyOf<&Texture::upload>, noUpload},
     Setting{keyOf<&Texture::internalFormat>, noInternalFormat},
     Setting{keyOf<&Texture::npot>, noScaling},
     Setting{keyOf<&Texture::wrapT>, noWrapT},
@@ -292,6 +304,15 @@ void unused(const Case& about, Report& report) {
         unless(takesFilter(texture.mipmaps), keyOf<&Texture::mipGamma>(), named(texture.mipmaps));
         unless(texture.mipmaps != MipPolicy::FromFile && texture.mipmaps != MipPolicy::Glu,
                keyOf<&Texture::npot>(), named(texture.mipmaps));
+        const std::string upload = keyOf<&Texture::upload>() + ".";
+        for (const ParamRow& row : uploadTable().params) {
+            if (!texture.upload.custom && row.member != memberId<&Upload::custom>)
+                report.add(path + upload + std::string(row.key), N_("the custom upload is off"));
+        }
+        for (const Key& key :
+             {keyOf<&Upload::memoryFormat>, keyOf<&Upload::memoryType>, keyOf<&Upload::memoryAlignment>})
+            unless(!texture.upload.custom || texture.upload.memory == MemoryRows::Layout, upload + key(),
+                   named(texture.upload.memory));
         for (std::size_t k = 0; k < texture.levels.size(); ++k) {
             const GivenLevel& level = texture.levels[k];
             const std::string owner = elementOf<&Texture::levels>(k) + ".";

@@ -89,6 +89,7 @@ struct Rule {
 
 [[nodiscard]] std::span<const Rule> textureRules();       ///< errors in textures
 [[nodiscard]] std::span<const Rule> formatRules();        ///< effects of internal formats on colours
+[[nodiscard]] std::span<const Rule> uploadRules();        ///< uploads that don't fit the memory
 [[nodiscard]] std::span<const Rule> textureEffectRules(); ///< texture settings without effect
 [[nodiscard]] std::span<const Rule> unitRules();
 [[nodiscard]] std::span<const Rule> matrixRules(); ///< of textures, and their stacks

@@ -168,7 +168,8 @@ void incomplete(const Case& about, Report& report) {
         if (!facts.image || !facts.shown)
             return;
         const auto broken = std::ranges::find_if(facts.targets, [&](const TargetFacts& each) {
-            const bool refused = isDepth(texture.internalFormat) && !takesDepths(each.target);
+            const bool refused = (isDepth(texture.internalFormat) && !takesDepths(each.target)) ||
+                                 (each.plan.upload && !each.plan.upload->refusal.empty());
             return !refused && !each.completeness.complete();
         });
         if (broken == facts.targets.end())

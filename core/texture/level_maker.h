@@ -108,6 +108,13 @@ private:
     struct Read {
         Image image;
         std::shared_ptr<const Bytes> memory;
+        std::size_t held;
+        MemoryLayout layout;
+        void moveMemoryTo(TextureLevel& level) {
+            level.memory = std::move(memory);
+            level.held = held;
+            level.layout = layout;
+        }
     };
 
     [[nodiscard]] int levelCount() const;
@@ -127,7 +134,9 @@ private:
     [[nodiscard]] Result<void> takePixels();
     void takePicture(const LevelPicture& picture, int face);
     [[nodiscard]] Result<void> takeMade(int face);
+    [[nodiscard]] PixelFormat formatOfPixels() const;
     [[nodiscard]] MemoryLayout memoryOfBase() const;
+    [[nodiscard]] PlannedUpload plannedUpload() const;
     [[nodiscard]] Result<void> checkUpload() const;
     [[nodiscard]] Result<Read> readBack(const Image& image) const;
     [[nodiscard]] Result<void> takeMadeOfRead(int face, const MipOptions& options);

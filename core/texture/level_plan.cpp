@@ -41,6 +41,23 @@ PlannedLevel LevelMaker::extentsOfBase() const {
             nearestPowerOfTwo(level.depth)};
 }
 
+/// The base as the program holds it: GLU scales what it has read.
+PlannedUpload LevelMaker::plannedUpload() const {
+    PlannedLevel level = extentsOfBase();
+    if (texture_.mipmaps == MipPolicy::FromFile)
+        level = extentsOfPicture(basePicture());
+    else if (readsFirst_ == ReadsFirst::ForGlu)
+        level = withoutOwnBorder(extentsOfPicture(basePicture()));
+    const int axes = axesOf(target_);
+    const int sides = hasBorder() ? 2 : 0;
+    PlannedUpload upload{
+        memoryOfBase(),
+        {level.width + sides, level.height + (axes > 1 ? sides : 0), level.depth + (axes > 2 ? sides : 0)}};
+    if (const Result<void> accepted = checkUpload(); !accepted)
+        upload.refusal = accepted.error().message;
+    return upload;
+}
+
 LevelPlan LevelMaker::plan() {
     LevelPlan plan;
     if (isDepth(texture_.internalFormat) && !takesDepths(target_))
@@ -53,8 +70,13 @@ LevelPlan LevelMaker::plan() {
         plan.blocks = std::get<BlockImage>(base()).format;
         return plan;
     }
-    if (readsMemory() && !checkUpload())
-        return {}; // OpenGL refuses it
+    if (readsMemory()) {
+        plan.upload = plannedUpload();
+        if (!plan.upload->refusal.empty()) {
+            plan.levels.clear();
+            return plan;
+        }
+    }
     const bool compresses =
         texture_.compression == Compression::Driver || texture_.compression == Compression::Cached;
     if (compresses && axesOf(target_) == 2 && !hasBorder() && !isDepth(texture_.internalFormat))

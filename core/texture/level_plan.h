@@ -2,6 +2,7 @@
 
 // The levels that a texture will have, without making them: enough to check completeness and size limits.
 
+#include "texplorer/scene/upload.h"
 #include "texplorer/texture/texture_pictures.h"
 
 #include <optional>
@@ -18,11 +19,19 @@ struct PlannedLevel {
     bool operator==(const PlannedLevel&) const = default;
 };
 
+/// The base level of a custom upload in the program's memory.
+struct PlannedUpload {
+    MemoryLayout memory{};
+    PixelExtent extent{}; ///< with the border
+    Sentence refusal{};   ///< why OpenGL refuses the call; empty: it doesn't
+};
+
 struct LevelPlan {
     std::vector<PlannedLevel> levels;  ///< ascending; the same for every face
     int lastLevel = 1000;              ///< as in TextureLevels
     int border = 0;                    ///< as in TextureLevels
     std::optional<BlockFormat> blocks; ///< kept from the file, or the format that the driver compresses to
+    std::optional<PlannedUpload> upload{}; ///< of pixels; if it is refused, there are no levels
 };
 
 /// The extents of a level above a base (OpenGL 2.1, section 3.8.8).

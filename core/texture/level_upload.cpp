@@ -1,6 +1,9 @@
 // Levels that go through a custom call of glTexImage: what the program holds, and what OpenGL makes of it.
 
 #include "texplorer/base/sentence_format.h"
+#include "texplorer/image/border.h"
+#include "texplorer/image/preparation.h"
+#include "texplorer/image/transparency.h"
 #include "texplorer/texture/level_maker.h"
 
 #include <algorithm>
@@ -21,9 +24,27 @@ Result<void> checkMemory(const PixelLayout& layout) {
 
 } // namespace
 
-MemoryLayout LevelMaker::memoryOfBase() const {
+/// What `pixels` returns: the steps are tried on one texel.
+PixelFormat LevelMaker::formatOfPixels() const {
+    const auto texelOf = [](PixelFormat format) {
+        Image texel = Image::uninitialised(format, 1, 1);
+        std::ranges::fill(texel.pixels, std::byte{0});
+        return texel;
+    };
     const Image* image = std::get_if<Image>(&base());
-    return memoryOf(texture_.upload, image ? image->format : PixelFormat::Rgba8, image_.format);
+    Image texel = texelOf(image ? image->format : PixelFormat::Rgba8);
+    const Image other = texelOf(PixelFormat::Luminance8);
+    for (std::size_t i = 0; i < texture_.preparation.size(); ++i) {
+        const ImageStep& step = texture_.preparation[i];
+        const bool isThere = holdsPicture(pictures_.other(i));
+        texel = prepared(std::move(texel),
+                         {step.op, step.factor, step.bias, step.amount, isThere ? &other : nullptr});
+    }
+    return applyTransparency(std::move(texel), texture_.transparency, {}).format;
+}
+
+MemoryLayout LevelMaker::memoryOfBase() const {
+    return memoryOf(texture_.upload, formatOfPixels(), image_.format);
 }
 
 Result<void> LevelMaker::checkUpload() const {
@@ -55,10 +76,11 @@ Result<LevelMaker::Read> LevelMaker::readBack(const Image& image) const {
     const MemoryLayout layout =
         memoryOf(texture_.upload, image.format, image_.format); // steps may have added components
     Bytes memory = writePixels(image, layout.pixels, layout.alignment);
+    const std::size_t held = memory.size();
     Image read = readPixels(memory, call, extent);
     if (memory.size() < needed)
         memory.resize(static_cast<std::size_t>(needed), std::byte{0});
-    return Read{std::move(read), std::make_shared<const Bytes>(std::move(memory))};
+    return Read{std::move(read), std::make_shared<const Bytes>(std::move(memory)), held, layout};
 }
 
 /// The base, of which OpenGL or GLU makes the other levels after it has read it.
@@ -82,7 +104,7 @@ Result<void> LevelMaker::takeMadeOfRead(int face, const MipOptions& options) {
     for (Image& level : chain)
         out_.levels.push_back({number++, std::move(level), face});
     if (readsFirst_ == ReadsFirst::ForDriver)
-        out_.levels[out_.levels.size() - chain.size()].memory = std::move(read->memory);
+        read->moveMemoryTo(out_.levels[out_.levels.size() - chain.size()]);
     return {};
 }
 
@@ -93,7 +115,7 @@ Result<void> LevelMaker::readLevels() {
         if (!read)
             return fail(read.error());
         level.surface = std::move(read->image);
-        level.memory = std::move(read->memory);
+        read->moveMemoryTo(level);
         if (isStopped())
             break;
     }

@@ -31,6 +31,8 @@ struct TextureLevel {
     /// Of a custom upload: what the program holds, followed by zeros up to the last byte that
     /// TextureLevels::call reads. The surface is what OpenGL makes of it.
     std::shared_ptr<const Bytes> memory{};
+    std::size_t held = 0;  ///< the bytes of the memory that the program holds
+    MemoryLayout layout{}; ///< of the memory
 };
 
 struct TextureLevels {

@@ -56,8 +56,9 @@ TEST(DiagnosisOfAll, EveryRuleHasAMistake) {
         found.insert(each.rule);
     using namespace diagnosis;
     for (const std::span<const Rule> rules :
-         {textureRules(), formatRules(), unitRules(), cubeRules(), combineRules(), passRules(), modelRules(),
-          vertexRules(), lightRules(), sideRules(), fogRules(), depthRules(), textureEffectRules()}) {
+         {textureRules(), uploadRules(), formatRules(), unitRules(), cubeRules(), combineRules(), passRules(),
+          modelRules(), vertexRules(), lightRules(), sideRules(), fogRules(), depthRules(),
+          textureEffectRules()}) {
         for (const Rule& rule : rules)
             EXPECT_TRUE(found.contains(rule.name)) << rule.name;
     }

@@ -10,8 +10,9 @@ void PrintTo(const Mistake& mistake, std::ostream* out) {
 
 std::vector<Mistake> mistakes() {
     std::vector<Mistake> all;
-    for (const auto& part : {textureMistakes(), levelMistakes(), formatMistakes(), settingMistakes(),
-                             unitMistakes(), passMistakes(), vertexMistakes(), depthMistakes()})
+    for (const auto& part :
+         {textureMistakes(), levelMistakes(), uploadMistakes(), formatMistakes(), settingMistakes(),
+          unitMistakes(), passMistakes(), vertexMistakes(), depthMistakes()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

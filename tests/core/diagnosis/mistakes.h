@@ -72,6 +72,7 @@ void castShadows(Subject& s);
 // The parts of mistakes().
 [[nodiscard]] std::span<const Mistake> textureMistakes();
 [[nodiscard]] std::span<const Mistake> levelMistakes();
+[[nodiscard]] std::span<const Mistake> uploadMistakes();
 [[nodiscard]] std::span<const Mistake> formatMistakes();
 [[nodiscard]] std::span<const Mistake> settingMistakes();
 [[nodiscard]] std::span<const Mistake> unitMistakes();

@@ -54,6 +54,7 @@ TEST(WrongAlignment, ShearsTheImage) {
     EXPECT_THAT(redsOf(levels, 0, 1), ElementsAre(5, 6, 7));
     EXPECT_THAT(redsOf(levels, 0, 2), ElementsAre(9, 0, 0));
     ASSERT_TRUE(levels.levels[0].memory);
+    EXPECT_EQ(levels.levels[0].held, 9U);
     EXPECT_EQ(levels.levels[0].memory->size(), 11U) << "the call reads two rows of 4 bytes and 3 more";
     EXPECT_EQ(levels.call->layout.format, TransferFormat::Luminance);
     const TextureLevels tight = *prepareLevels(custom(TransferFormat::Luminance, 1), image);
@@ -113,6 +114,24 @@ TEST(CallsThatOpenGlRefuses, AreNamed) {
     impossible.upload.memoryType = TransferType::UnsignedShort565;
     EXPECT_EQ(problemOf(impossible, image),
               "the memory's type GL_UNSIGNED_SHORT_5_6_5 does not hold the components of GL_RGBA");
+}
+
+// What the program holds of the base: after the preparation, before GLU scales it.
+TEST(PlansOfUploads, HaveTheMemoryOfTheBase) {
+    const TexturePictures pictures(std::make_shared<const TextureImage>(textureOf(ramp(5, 3), "PNG")));
+    Texture texture = custom(TransferFormat::LuminanceAlpha);
+    texture.preparation = {{.op = ImageOp::LuminanceToAlpha}};
+    texture.mipmaps = MipPolicy::Glu;
+    texture.border = 1;
+    const LevelPlan plan = planLevels(texture, pictures, Target::Texture2D);
+    ASSERT_TRUE(plan.upload);
+    EXPECT_EQ(plan.upload->memory.pixels.format, TransferFormat::LuminanceAlpha);
+    EXPECT_EQ(plan.upload->extent, (PixelExtent{7, 5, 1}));
+    EXPECT_EQ(plan.upload->refusal, "");
+    const TextureLevels levels = *prepareLevels(texture, pictures, Target::Texture2D);
+    EXPECT_FALSE(levels.levels[0].memory);
+    texture.upload.custom = false;
+    EXPECT_FALSE(planLevels(texture, pictures, Target::Texture2D).upload);
 }
 
 TEST(CallsThatReadTooMuch, AreRefused) {
