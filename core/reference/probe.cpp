@@ -468,6 +468,22 @@ void addIdleUnits(Explanation& explanation, const std::vector<PassState>& passes
     }
 }
 
+/// The memory of custom uploads.
+void addUploads(Explanation& explanation, const DrawRequest& request, const LevelWork& work,
+                TextureStore& textures) {
+    for (FragmentExplanation& fragment : explanation.fragments) {
+        for (UnitExplanation& unit : fragment.units) {
+            const auto index = static_cast<std::size_t>(unit.texture);
+            if (!request.scene.textures[index].upload.custom)
+                continue;
+            std::vector<Sentence> said; // already
+            if (const StoredTexture* stored =
+                    textures.prepare(request.scene, index, unit.target, request.images, work, said))
+                unit.uploaded = stored->uploaded;
+        }
+    }
+}
+
 /// What ties of any unit depend on. Of a pixel whose first fragments aren't explained it isn't known.
 glm::bvec4 tiedInAll(const Explanation& explanation) {
     glm::bvec4 tied(false);
@@ -526,6 +542,7 @@ Result<Explanation> explainPixel(const DrawRequest& request, PixelPlace pixel, c
         explanation.asRight.push_back(other);
     }
     addIdleUnits(explanation, passes, request, options.levels, textures);
+    addUploads(explanation, request, options.levels, textures);
     return explanation;
 }
 

@@ -3,6 +3,7 @@
 #include "texplorer/reference/explain/explanation_steps.h"
 #include "texplorer/reference/explain/sampling_steps.h"
 #include "texplorer/reference/explain/stored_texel.h"
+#include "texplorer/reference/explain/texel_bytes.h"
 #include "texplorer/scene/params/param_text.h"
 
 #include <fmt/core.h>
@@ -119,6 +120,12 @@ Json jsonOf(const SampleRecord& sample, const UnitExplanation& unit) {
         const auto stored = storedTexel(unit.internalFormat, tap.color);
         if (stored && !tap.border)
             entry["stored"] = {{"numbers", stored->numbers}, {"largest", stored->max}};
+        if (const auto bytes = unit.uploaded ? texelBytes(*unit.uploaded, unit.target, tap) : std::nullopt)
+            entry["memory"] = {{"first", bytes->range.first},
+                               {"count", bytes->range.count},
+                               {"bytes", bytes->values},
+                               {"holds", bytes->holds},
+                               {"readAs", bytes->readAs}};
         if (isDepth(unit.internalFormat))
             entry["depth"] = tap.depth;
         taps.push_back(std::move(entry));

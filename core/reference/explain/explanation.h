@@ -10,11 +10,13 @@
 #include "texplorer/reference/shading/environment.h"
 #include "texplorer/reference/shading/lighting.h"
 #include "texplorer/scene/scene.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <glm/mat4x4.hpp>
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -98,6 +100,8 @@ struct UnitExplanation {
     Ties ties;                        ///< the choices that rounding decides
     std::vector<LevelExtent> extents; ///< of the levels in `sample`
     std::vector<LevelPatch> patches;  ///< the texels around those that were read
+    /// Of a custom upload: the memory that the texels were read from; else nullptr.
+    std::shared_ptr<const TextureLevels> uploaded{};
 
     EnvMode mode = EnvMode::Modulate;
     EnvironmentInputs inputs;

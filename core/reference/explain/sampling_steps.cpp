@@ -2,6 +2,7 @@
 
 #include "texplorer/reference/explain/coordinate_steps.h"
 #include "texplorer/reference/explain/stored_texel.h"
+#include "texplorer/reference/explain/texel_bytes.h"
 #include "texplorer/reference/sampling/depth_texel.h"
 #include "texplorer/reference/sampling/wrap.h"
 
@@ -256,6 +257,14 @@ StepRow storedRow(const StoredTexel& stored) {
     return row;
 }
 
+/// From which bytes of the program's memory a texel was read.
+void addBytes(std::vector<StepRow>& rows, const UnitExplanation& unit, const Tap& tap) {
+    if (!unit.uploaded)
+        return;
+    if (const auto bytes = texelBytes(*unit.uploaded, unit.target, tap))
+        rows.push_back({indented(sentenceOf(*bytes)), {}, {}, false, Ink::Dim});
+}
+
 /// What a texel is not as the image's file has it, and why; empty where it is.
 Sentence preparedSentence(const UnitExplanation& unit) {
     std::vector<Sentence> names;
@@ -302,6 +311,7 @@ Step depthsStep(const UnitExplanation& unit) {
             row.cells.push_back({passed ? N_("1: passes") : N_("0: fails"), passed ? Ink::Good : Ink::Bad});
         }
         step.rows.push_back(std::move(row));
+        addBytes(step.rows, unit, tap);
     }
     if (taps.size() > maxTapsShown)
         step.rows.push_back({Sentence("and {0} more with less weight", taps.size() - maxTapsShown)});
@@ -342,6 +352,7 @@ Step texelsStep(const UnitExplanation& unit) {
         step.rows.push_back(std::move(row));
         if (const auto stored = storedTexel(unit.internalFormat, tap.color); stored && !tap.border)
             step.rows.push_back(storedRow(*stored));
+        addBytes(step.rows, unit, tap);
     }
     if (taps.size() > maxTapsShown)
         step.rows.push_back({Sentence("and {0} more with less weight", taps.size() - maxTapsShown)});

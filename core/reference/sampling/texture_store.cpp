@@ -21,6 +21,8 @@ TextureStore::Slot TextureStore::filled(TexturePictures pictures, Texture settin
     if (sampled) {
         slot.texture.sampled = *std::move(sampled);
         slot.texture.lateFlip = levels->lateFlip;
+        if (levels->call)
+            slot.texture.uploaded = std::make_shared<const TextureLevels>(*levels);
         slot.lastLevel = levels->lastLevel;
         slot.usable = true;
     } else if (sampled.error().code == ErrorCode::Cancelled)

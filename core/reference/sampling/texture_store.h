@@ -16,6 +16,8 @@ struct StoredTexture {
     SampledTexture sampled;
     LateFlip lateFlip = LateFlip::None;
     bool complete = false; ///< if false, the unit is drawn as if it were disabled
+    /// Of a custom upload, whose levels have the memory that was read; else nullptr.
+    std::shared_ptr<const TextureLevels> uploaded{};
 };
 
 /// The sampled textures of a scene, one for each texture and target. Levels are made again if the pixels or

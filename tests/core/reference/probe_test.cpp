@@ -2,6 +2,7 @@
 // very bytes that are drawn.
 
 #include "tests/core/reference/textures.h"
+#include "texplorer/reference/explain/explanation_steps.h"
 #include "texplorer/reference/probe.h"
 #include "texplorer/scene/tex_coords.h"
 
@@ -63,6 +64,27 @@ struct Flat {
 };
 
 // ---- Numbers by hand ----
+
+// Two bytes a row, of which OpenGL expects four: the upper row begins beyond the end.
+TEST(Probe, FollowsATexelToItsBytes) {
+    Flat flat;
+    flat.scene.textures[0].flip = FlipMode::Pixels;
+    flat.scene.textures[0].magFilter = MagFilter::Nearest;
+    EXPECT_FALSE(flat.unit(0, 0).uploaded);
+    flat.scene.textures[0].upload = {.custom = true, .format = TransferFormat::Luminance};
+    const auto textAt = [&](int x, int y) {
+        std::string text;
+        for (const Step& step : stepsOf(flat.fragment(x, y)).steps) {
+            for (const StepRow& row : step.rows) {
+                if (step.kind == StepKind::Texels)
+                    text += row.label.english() + '\n';
+            }
+        }
+        return text;
+    };
+    EXPECT_THAT(textAt(3, 0), HasSubstr("memory at byte 1: 51, l, read as l\n"));
+    EXPECT_THAT(textAt(3, 3), HasSubstr("memory at byte 5: beyond its end, 0\n"));
+}
 
 // The square is sent as (0, 0), (1, 0), (1, 1), (0, 1). Its triangles are 0 1 3 and 1 2 3, and without
 // glTexCoord of vertex 3 the upper one has (1, 0), (1, 1) and again (1, 1).
