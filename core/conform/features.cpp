@@ -37,6 +37,8 @@ constexpr std::array rows{
             scenes::internalFormats, rules::texelEdge, rules::exact},
     Feature{"preparation", "one to three operations on the image before its levels are made", "3.6.5", 72,
             scenes::preparation, rules::exact, rules::exact},
+    Feature{"upload", "formats × types × alignments, row lengths, scale and bias, that fit the memory or not",
+            "3.6.4", 132, scenes::upload, rules::exact, rules::exact},
     Feature{"depth-textures", "compare functions × depth modes, bits, filters, 1D and 2D; r beyond 0 and 1",
             "3.8.14", 96, scenes::depthTextures, rules::texelEdge, rules::exact},
     Feature{"combine", "functions, sources, operands, scales, on one to three units", "3.8.13", 112,
@@ -112,7 +114,7 @@ constexpr int sumOfWeights() {
         sum += row.scenes;
     return sum;
 }
-static_assert(rows.size() == 47 && sumOfWeights() == defaultScenes);
+static_assert(rows.size() == 48 && sumOfWeights() == defaultScenes);
 
 } // namespace
 

@@ -56,6 +56,7 @@ Scene givenLevels(int number, Dice& state, Dice& values);
 Scene internalFormats(int number, Dice& state, Dice& values);
 Scene depthTextures(int number, Dice& state, Dice& values);
 Scene preparation(int number, Dice& state, Dice& values);
+Scene upload(int number, Dice& state, Dice& values);
 Scene environment(int number, Dice& state, Dice& values);
 Scene combine(int number, Dice& state, Dice& values);
 Scene units(int number, Dice& state, Dice& values);

@@ -94,6 +94,14 @@ constexpr auto unusualFormats = [] {
     return formats;
 }();
 
+/// One that the format has.
+TransferType typeFor(TransferFormat format, Dice& values) {
+    auto type = values.any<TransferType>();
+    while (!checkLayout({format, type}))
+        type = values.any<TransferType>();
+    return type;
+}
+
 } // namespace
 
 Scene internalFormats(int number, Dice& state, Dice& values) {
@@ -123,6 +131,38 @@ Scene preparation(int number, Dice& state, Dice& values) {
         step.amount = values.number(0, 3);
         step.pattern = values.any<Pattern>();
         steps.push_back(step);
+    }
+    return scene;
+}
+
+Scene upload(int number, Dice& state, Dice& values) {
+    constexpr std::array alignments{1, 2, 4, 8};
+    const Source source = state.of(coloredSources);
+    Scene scene = texturedQuad(source, values);
+    Texture& texture = scene.textures[0];
+    Upload& upload = texture.upload;
+    upload.custom = true;
+    upload.format = pick<TransferFormat>(number);
+    const bool isOfDepths = upload.format == TransferFormat::DepthComponent;
+    if (isOfDepths)
+        texture.internalFormat = InternalFormat::DepthComponent24;
+    upload.type = typeFor(upload.format, values);
+    upload.alignment = values.of(alignments);
+    upload.memory = values.chance(4) ? MemoryRows::File : MemoryRows::Layout;
+    const bool fits = values.chance(2);
+    upload.memoryFormat = fits ? upload.format : values.any<TransferFormat>();
+    upload.memoryType = fits ? upload.type : typeFor(upload.memoryFormat, values);
+    upload.memoryAlignment = fits ? upload.alignment : values.of(alignments);
+    if (values.chance(2)) // rows of an odd length, which begin at each alignment elsewhere
+        upload.rowLength = source.width + values.below(8);
+    upload.skipRows = values.below(4);
+    upload.skipPixels = values.below(4);
+    upload.swapBytes = values.chance(3);
+    if (values.chance(2) && !isOfDepths) {
+        for (int i = 0; i < 4; ++i) {
+            upload.scale[i] = values.number(-1, 2);
+            upload.bias[i] = values.number(-0.5F, 1);
+        }
     }
     return scene;
 }

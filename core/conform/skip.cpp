@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace texplorer::conform {
 
@@ -46,6 +47,14 @@ bool isTooLarge(const Unit& unit, const Texture& texture, const DriverFacts& dri
 
 constexpr bool isCompressed(const Texture& texture) {
     return texture.compression == Compression::Cached || texture.compression == Compression::Driver;
+}
+
+/// The type that glTexImage is told in a custom upload.
+std::optional<TransferType> typeTold(const Unit& unit, const Texture& texture) {
+    if (!texture.upload.custom)
+        return std::nullopt;
+    const LevelPlan plan = planLevels(texture, madeImages().picturesOf(texture), unit.target);
+    return plan.upload ? std::optional(texture.upload.type) : std::nullopt;
 }
 
 bool isLinearAnywhere(const Texture& texture) {
@@ -114,6 +123,31 @@ constexpr std::array skipRows{
                     });
          },
          N_("drivers may compress an image in any way (OpenGL 2.1, section 3.8.1)")},
+    Skip{
+        "signed-upload",
+        [](const Scene& scene, const Pair& pair, const Driver&) {
+            return pair.has(RendererKind::Reference) &&
+                   anyUnit(scene, [](const Unit& unit, const Texture& texture) {
+                       const std::optional<TransferType> type = typeTold(unit, texture);
+                       return type && (type == TransferType::Byte || type == TransferType::Short ||
+                                       type == TransferType::Int);
+                   });
+        },
+        N_("OpenGL 4.2 converts signed numbers to colours by c / (2^(b - 1) - 1), and drivers such as Mesa do "
+           "so in all versions; OpenGL 2.1 by (2c + 1) / (2^b - 1) (table 2.9)")},
+    Skip{"float-upload",
+         [](const Scene& scene, const Pair& pair, const Driver&) {
+             return pair.has(RendererKind::Reference) &&
+                    anyUnit(scene, [](const Unit& unit, const Texture& texture) {
+                        const Upload& upload = texture.upload;
+                        const bool holdsFloats = upload.memory == MemoryRows::Layout &&
+                                                 upload.memoryType == TransferType::Float &&
+                                                 !upload.swapBytes;
+                        return typeTold(unit, texture) == TransferType::Float && !holdsFloats;
+                    });
+         },
+         N_("other bytes read as floats may be infinite or no numbers, which OpenGL 2.1 leaves open (section "
+            "2.1.1)")},
     Skip{"no-borders",
          [](const Scene& scene, const Pair& pair, const Driver& driver) {
              return pair.has(RendererKind::Reference) && !driver.facts.textureBorders &&

@@ -255,8 +255,35 @@ void fitKeys(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
     }
 }
 
+/// Most textures' uploads fit, and OpenGL takes the formats and types of most others.
+void fitUpload(Texture& texture, Temper temper, Dice& dice) {
+    constexpr std::array alignments{1, 2, 4, 8};
+    Upload& upload = texture.upload;
+    upload.custom = upload.custom && dice.chance(2);
+    if (temper == Temper::Wild && dice.chance(3))
+        return;
+    upload.alignment = dice.of(alignments);
+    upload.memoryAlignment = dice.of(alignments);
+    if (isDepth(texture.internalFormat))
+        upload.format = TransferFormat::DepthComponent;
+    while (!isDepth(texture.internalFormat) && upload.format == TransferFormat::DepthComponent)
+        upload.format = dice.any<TransferFormat>();
+    while (!checkLayout({upload.format, upload.type}))
+        upload.type = dice.any<TransferType>();
+    while (!checkLayout({upload.memoryFormat, upload.memoryType}))
+        upload.memoryType = dice.any<TransferType>();
+    if (upload.type == TransferType::Float) { // of which other bytes may be no numbers
+        upload.memory = MemoryRows::Layout;
+        upload.memoryFormat = upload.format;
+        upload.memoryType = upload.type;
+        upload.swapBytes = false;
+    }
+    upload.rowLength %= 512; // not all of a computer's memory
+    upload.skipRows %= 64;
+}
+
 /// The relations between members that no row knows.
-void fit(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
+void fit(Scene& scene, Temper temper, Generator& generator, Dice& dice, bool hasFiles) {
     if (!dice.chance(3))
         useOwnMatrices(scene);
     for (Model& model : scene.models) {
@@ -274,8 +301,9 @@ void fit(Scene& scene, Generator& generator, Dice& dice, bool hasFiles) {
         }
     }
     for (Texture& texture : scene.textures) {
+        fitUpload(texture, temper, dice);
         if (hasFiles)
-            break;
+            continue;
         if (texture.source == SourceKind::File)
             texture.source = SourceKind::Pattern;
         for (GivenLevel& level : texture.levels)
@@ -377,6 +405,9 @@ void takeAwayWhatDiffers(Scene& scene) {
     for (Texture& texture : scene.textures) {
         texture.border = 0;
         texture.maxAnisotropy = 1;
+        if (const TransferType type = texture.upload.type;
+            type == TransferType::Byte || type == TransferType::Short || type == TransferType::Int)
+            texture.upload.custom = false;
         const bool isIncomplete = texture.mipmaps == MipPolicy::None || texture.mipmaps == MipPolicy::Missing;
         if (isIncomplete || isMadeByDriver(texture.mipmaps))
             texture.mipmaps = MipPolicy::Generated; // an incomplete texture is not visible
@@ -399,8 +430,10 @@ void takeAwayWhatDiffers(Scene& scene) {
                 if (asked && !pass.units[*asked].enabled)
                     *source = CombineSource::Texture;
             }
-            if (unit.envMode == EnvMode::Decal)
+            if (unit.envMode == EnvMode::Decal) {
+                texture.upload.custom = texture.upload.custom && !isDepth(texture.internalFormat);
                 texture.internalFormat = InternalFormat::Rgba;
+            }
             if (unit.target == Target::CubeMap)
                 texture.wrapS = texture.wrapT = Wrap::ClampToEdge;
         }
@@ -415,7 +448,7 @@ RandomScene randomScene(unsigned seed, int number, std::span<const std::string> 
     RandomScene made{dice.of(tempers), defaultScene()};
     Generator generator(made.temper, files, dice);
     generator.fill(sceneTable(), &made.scene);
-    fit(made.scene, generator, dice, !files.empty());
+    fit(made.scene, made.temper, generator, dice, !files.empty());
     if (made.temper != Temper::Wild)
         letItBeSeen(made.scene);
     if (made.temper == Temper::Comparable)

@@ -10,6 +10,7 @@
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/json.h"
+#include "texplorer/texture/level_plan.h"
 #include "texplorer/texture/texture_levels.h"
 
 #include <gmock/gmock.h>
@@ -384,6 +385,47 @@ TEST(Cases, PairEveryOperationOfTheMatrixWithEveryOther) {
     }
     EXPECT_EQ(pairs.size(), matrixOpRows.size() * matrixOpRows.size());
     EXPECT_TRUE(ofOneQ && ofManyQs);
+}
+
+TEST(Cases, UploadEveryFormatThatFitsOrNot) {
+    std::set<TransferFormat> formats;
+    std::set<TransferType> types;
+    std::set<int> alignments;
+    int refused = 0;
+    for (const Case& item : casesOf({1, 132, {findFeature("upload")}})) {
+        const Texture& texture = item.scene.textures[0];
+        formats.insert(texture.upload.format);
+        types.insert(texture.upload.type);
+        alignments.insert(texture.upload.alignment);
+        const LevelPlan plan = planLevels(texture, madeImages().picturesOf(texture), Target::Texture2D);
+        ASSERT_TRUE(plan.upload);
+        refused += plan.upload->refusal.empty() ? 0 : 1;
+    }
+    EXPECT_EQ(formats.size(), transferFormatRows.size());
+    EXPECT_EQ(types.size(), transferTypeRows.size());
+    EXPECT_THAT(alignments, testing::ElementsAre(1, 2, 4, 8));
+    EXPECT_EQ(refused, 0);
+}
+
+TEST(Skips, NameUploadsWhoseNumbersAreOpen) {
+    constexpr Pair withReference{RendererKind::Reference, RendererKind::Fixed};
+    Scene scene = sceneOf(*findFeature("upload"), 1, 0);
+    Upload& upload = scene.textures[0].upload;
+    upload = {.custom = true, .type = TransferType::Short};
+    const auto nameOf = [&](const Pair& pair) {
+        const Skip* skip = skipOf(scene, pair, {"any", "", "", {}});
+        return skip ? skip->name : std::string_view();
+    };
+    EXPECT_EQ(nameOf(withReference), "signed-upload");
+    EXPECT_EQ(nameOf({RendererKind::Fixed, RendererKind::Shader}), "");
+    upload.type = TransferType::Float;
+    EXPECT_EQ(nameOf(withReference), "float-upload");
+    upload.memory = MemoryRows::Layout;
+    upload.memoryType = TransferType::Float;
+    EXPECT_EQ(nameOf(withReference), "");
+    upload.custom = false;
+    upload.type = TransferType::Short;
+    EXPECT_EQ(nameOf(withReference), "");
 }
 
 TEST(Skips, NameLinesOfEvenWidthThatAreDrawn) {
