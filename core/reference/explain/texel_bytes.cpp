@@ -67,16 +67,18 @@ std::optional<TexelBytes> texelBytes(const TextureLevels& levels, Target target,
 }
 
 Sentence sentenceOf(const TexelBytes& bytes) {
-    const ProperName range{bytes.range.count == 1
-                               ? std::to_string(bytes.range.first)
-                               : fmt::format("{}–{}", bytes.range.first, bytes.range.end() - 1)};
+    const std::string places = bytes.range.count == 1
+                                   ? std::to_string(bytes.range.first)
+                                   : fmt::format("{}–{}", bytes.range.first, bytes.range.end() - 1);
+    const ProperName range{places};
     if (bytes.values.empty())
         return Sentence("memory at byte {0}: beyond its end, 0", range);
     const bool isPacked = bytes.holds.find(packedPixel) != std::string::npos;
     const bool isLong = bytes.values.size() > maxValuesShown;
     const std::string values = isLong ? "…" : fmt::format("{}", fmt::join(bytes.values, " "));
     const std::string held = isPacked ? values : fmt::format("{}, {}", values, spaced(bytes.holds));
-    const ProperName readAs{spaced(bytes.readAs)};
+    const std::string read = spaced(bytes.readAs);
+    const ProperName readAs{read};
     if (bytes.values.size() < bytes.range.count)
         return Sentence("memory at byte {0}: {1}, then 0 beyond its end, read as {2}", range,
                         ProperName{held}, readAs);

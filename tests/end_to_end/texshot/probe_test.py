@@ -44,6 +44,17 @@ class Probe(Texshot):
         lod = found["fragments"][0]["units"][0]["sample"]["lod"]
         self.assertEqual([lod[key] for key in ("textureBias", "unitBias", "bias", "biased")], [1.5, -0.25, 1.25, 0.25])
 
+    def test_a_texel_of_a_custom_upload_is_followed_to_its_bytes(self):
+        # Rows of BMP begin at multiples of 4 bytes: here at 0 and 8, where OpenGL is told 6.
+        found = self.probe("--at", "3,0", "--set", "textures[0].magFilter=GL_NEAREST", "--set",
+                           "textures[0].upload.custom=true", "--set", "textures[0].upload.format=GL_RGB", "--set",
+                           "textures[0].upload.alignment=1")
+        tap = found["fragments"][0]["units"][0]["sample"]["taps"][0]
+        self.assertEqual(tap["memory"], {"first": 9, "count": 3, "bytes": [102, 102, 255], "holds": "grb",
+                                         "readAs": "rgb"})
+        for renderer in ("reference", "fixed", "shader"):
+            self.assertEqual(found[renderer][:3], [102, 102, 255], renderer)
+
     def test_it_gives_the_bytes_of_the_pictures_of_all_three_renderers(self):
         pictures = {
             renderer: self.shot(self.scene, "--size", "4x4", "--renderer", renderer)
