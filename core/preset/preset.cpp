@@ -16,6 +16,7 @@ void showPattern(Texture& texture, Pattern pattern) {
     texture.compression = Compression::FromFile;
     texture.transparency = Transparency::File;
     texture.preparation.clear();
+    texture.upload = {};
     texture.compareMode = CompareMode::None;
     if (texture.mipmaps == MipPolicy::Given || texture.mipmaps == MipPolicy::FromFile)
         texture.mipmaps = MipPolicy::Generated;
@@ -74,8 +75,8 @@ Result<std::size_t> addTexture(Scene& scene, Texture texture) {
 std::span<const Preset> presets() {
     static const std::vector<Preset> all = [] {
         std::vector<Preset> rows;
-        for (const auto& group :
-             {preset::filterPresets, preset::alphaPresets, preset::coordinatePresets, preset::unitPresets})
+        for (const auto& group : {preset::filterPresets, preset::alphaPresets, preset::coordinatePresets,
+                                  preset::unitPresets, preset::uploadPresets})
             rows.insert(rows.end(), group().begin(), group().end());
         return rows;
     }();

@@ -10,8 +10,9 @@ namespace texplorer::preset {
 [[nodiscard]] std::span<const Preset> coordinatePresets(); ///< given, moved and generated coordinates
 [[nodiscard]] std::span<const Preset> unitPresets();       ///< environments, and several units
 [[nodiscard]] std::span<const Preset> filterPresets();
+[[nodiscard]] std::span<const Preset> uploadPresets(); ///< calls that do not fit the program's memory
 
-/// Sets the texture's image to a pattern with all of its components, without preparation.
+/// Sets the texture's image to a pattern with all of its components, read as it is, without preparation.
 void showPattern(Texture& texture, Pattern pattern);
 
 /// The same, unless the current image is suitable.

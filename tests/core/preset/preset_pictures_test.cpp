@@ -3,6 +3,8 @@
 #include "texplorer/preset/preset.h"
 #include "texplorer/reference/draw.h"
 #include "texplorer/scene/animation.h"
+#include "texplorer/texture/image_source.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <gtest/gtest.h>
 
@@ -289,6 +291,40 @@ TEST(PresetPictures, ASeamIsMagentaAndItsCureHasNone) {
     const Scene seam = with("seam");
     EXPECT_GT(shareOf(drawn(seam), isMagenta), 0.005);
     EXPECT_EQ(shareOf(drawn(with("seam-cure", seam)), isMagenta), 0);
+}
+
+/// The base level as OpenGL has read it.
+Image readOf(const Scene& scene) {
+    const Texture& texture = scene.textures[0];
+    return std::get<Image>(*prepareLevels(texture, *ImageSource{}.find(texture))->levels.front().surface);
+}
+
+TEST(PresetPictures, ASlantedPictureMovesByOneTexelInEachRow) {
+    const Image read = readOf(with("slanted"));
+    const Image pattern = drawPattern(Pattern::UvTemplate);
+    for (const int y : {0, 1, 100, 511}) {
+        for (const int x : {0, 1, 510}) {
+            const std::ptrdiff_t place = std::ptrdiff_t{y} * 511 + x;
+            EXPECT_EQ(colorAt(read, x, y),
+                      colorAt(pattern, static_cast<int>(place % 512), static_cast<int>(place / 512)))
+                << x << ", " << y;
+        }
+    }
+}
+
+TEST(PresetPictures, SwappedColoursHaveRedForBlue) {
+    const Image read = readOf(with("swapped-colours"));
+    const Image planet = drawPattern(Pattern::Planet);
+    for (const int x : {0, 100, 511}) {
+        const Color color = colorAt(planet, x, 128);
+        EXPECT_EQ(colorAt(read, x, 128), (Color{color[2], color[1], color[0]})) << x;
+    }
+    const auto isBlue = [](Color c) { return c[2] > c[0] + 40; };
+    Scene right = with("swapped-colours");
+    right.textures[0].upload = {};
+    const double seas = shareOf(drawn(right), isBlue);
+    EXPECT_GT(seas, 0.05);
+    EXPECT_LT(shareOf(drawn(with("swapped-colours")), isBlue), seas / 3);
 }
 
 TEST(PresetPictures, LevelsHaveColours) {
