@@ -1,4 +1,5 @@
 #include "app/ui/parameters/sections.h"
+#include "app/ui/widgets/upload_edits.h"
 #include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
@@ -124,8 +125,10 @@ std::vector<ShownStruct> shownStructs(const Session& session) {
     static const View start = defaultScene().view;
     const Scene& scene = presentScene(session);
     Places places;
-    if (boundTexture(session))
+    if (boundTexture(session)) {
         places.push_back({Section::Texture, "", textureOwner(session), &textureTable()});
+        places.push_back({Section::Texture, N_("Upload"), uploadOwner(session), &uploadTable()});
+    }
     addUnitPlaces(places, session);
     const std::string pass = elementOf<&Scene::passes>(static_cast<std::size_t>(session.look.selection.pass));
     add(places, Section::Pass, "", selectedPass(session), initialPass, pass, passTable());

@@ -5,6 +5,7 @@
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/upload_edits.h"
 #include "texplorer/scene/params/keys.h"
 #include "texplorer/text/printable.h"
 
@@ -63,6 +64,21 @@ void textureChoice(const Session& session) {
                 .edits = {edit::Remove{keyOf<&Scene::textures>(), static_cast<std::size_t>(unit.texture)}}});
 }
 
+/// Closed at first: few textures need it.
+void uploadGroup(const Session& session) {
+    const Owner owner = uploadOwner(session);
+    if (session.out.wantedParam.starts_with(owner.path + "."))
+        ImGui::SetNextItemOpen(true);
+    ImGui::PushStyleColor(ImGuiCol_Text, boundTexture(session)->upload.custom ? color::changed : color::text);
+    const bool open =
+        ImGui::TreeNodeEx("upload", ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen,
+                          "%s", tr("Upload"));
+    ImGui::PopStyleColor();
+    item(owner.path + "#group", "What the program's memory holds of the image, and what glTexImage is told");
+    if (open)
+        paramRows(session, owner, uploadTable());
+}
+
 } // namespace
 
 std::shared_ptr<const Image> thumbnailOf(const Session& session, const Texture& texture, Target target) {
@@ -91,8 +107,10 @@ void textureSection(const Session& session, const Pictures& pictures) {
         hasPictures ? summaryOf(session, levelsOf(session, *texture, selectedUnit(session).target)) : nullptr;
     RowOptions options;
     options.after = [&](std::string_view group) {
-        if (group == findParam(textureTable(), keyOf<&Texture::file>())->group)
+        if (group == findParam(textureTable(), keyOf<&Texture::file>())->group) {
             preparationList(session, index, summary.get(), pictures);
+            uploadGroup(session);
+        }
         if (group == findParam(textureTable(), keyOf<&Texture::mipmaps>())->group)
             levelList(session, index, summary.get(), pictures);
     };
