@@ -3,14 +3,12 @@
 // The state of the microscope, and its columns: the texels, the palette that their indices refer to, the bits
 // of the block, and its source.
 
-#include "app/ui/model/session.h"
+#include "app/ui/figures/held_levels.h"
 #include "texplorer/base/sentence.h"
 #include "texplorer/s3tc/block_parts.h"
 #include "texplorer/s3tc/encode_quality.h"
-#include "texplorer/texture/levels_source.h"
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -37,18 +35,13 @@ inline constexpr std::array blockExamples{
                  N_("DXT5 with alpha 0 smaller than alpha 1: four alphas between the ends, and 0 and 255.")},
 };
 
-/// The source of the block: the user's input, or the scene's texture.
-struct BlockSource {
+/// The source of the block: the user's input, or the scene's texture, with its levels.
+struct BlockSource : HeldLevels {
     enum class Kind : std::uint8_t { Own, Texture, Probed };
     Kind kind = Kind::Own;
     int x = 0; ///< of the block, along s
     int y = 0; ///< along t
     EncodeQuality quality = EncodeQuality::Best;
-
-    // The known data of the texture.
-    std::optional<LevelsRequest> request{};
-    std::shared_ptr<const PreparedLevels> levels{}; ///< of that request; nullptr: not ready
-    Sentence problem{};                             ///< why no block is available
 
     /// The block as it was read.
     struct Taken {

@@ -24,40 +24,6 @@ namespace {
 
 using SourceKind = BlockSource::Kind;
 
-/// Freeing large levels takes a while.
-void giveLevelsBack(Session& session, BlockSource& source) {
-    if (source.levels && source.request)
-        workers(session).levels->uploaded(*source.request, std::exchange(source.levels, nullptr), {});
-    source.levels.reset();
-    source.request.reset();
-    source.taken.reset();
-}
-
-/// Requests the levels until they are ready. Until then no block is read.
-void followLevels(Session& session, BlockSource& source) {
-    std::optional<LevelsRequest> request = boundLevels(session);
-    if (!request) {
-        source.problem =
-            boundTexture(session) ? N_("The image is not loaded.") : N_("No texture is bound to this unit.");
-        return giveLevelsBack(session, source);
-    }
-    if (!source.levels || source.request != request) {
-        std::shared_ptr<const PreparedLevels> levels = workers(session).levels->prepare(*request);
-        const bool cancelled = levels && !*levels && levels->error().code == ErrorCode::Cancelled;
-        if (!levels || cancelled) {
-            source.problem = cancelled ? levels->error().message : Sentence("The levels are being made…");
-            return;
-        }
-        giveLevelsBack(session, source);
-        source.levels = std::move(levels);
-        source.request = std::move(request);
-    }
-    if (!*source.levels)
-        source.problem = source.levels->error().message;
-    else if ((*source.levels)->levels.empty())
-        source.problem = N_("There is no level.");
-}
-
 /// The first level of a face, and the source of its compression if it was compressed here.
 struct BaseOfFace {
     const Surface* surface = nullptr;
@@ -207,12 +173,20 @@ void drawOriginal(const BlockMicroscopeState& state) {
          "The root mean square of the differences between the original and the block's texels, in 255ths");
 }
 
+void giveBack(Session& session, BlockSource& source) {
+    giveLevelsBack(workers(session).levels, source);
+    source.taken.reset();
+}
+
 void follow(Session& session, BlockMicroscopeState& state) {
     BlockSource& source = state.source;
     source.problem = {};
     if (source.kind == SourceKind::Own)
-        return giveLevelsBack(session, source);
-    followLevels(session, source);
+        return giveBack(session, source);
+    if (followLevels(workers(session).levels, source, boundLevels(session)))
+        source.taken.reset();
+    if (!boundTexture(session))
+        source.problem = N_("No texture is bound to this unit.");
     if (!source.levels || !source.problem.empty())
         return;
     const TextureLevels& levels = **source.levels;

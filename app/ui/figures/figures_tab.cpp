@@ -24,6 +24,8 @@ void drawFigure(const Session& session, FiguresTabState& state, const Pictures& 
         return drawEmbossTheory(session, state.emboss);
     case Figure::Edge:
         return drawEdgeLens(session, state.edge);
+    case Figure::Upload:
+        return drawUploadFigure(session, state.upload);
     }
 }
 

@@ -7,6 +7,7 @@
 #include "app/ui/figures/environment_table.h"
 #include "app/ui/figures/sheet.h"
 #include "app/ui/figures/texture_objects.h"
+#include "app/ui/figures/upload_figure.h"
 
 namespace texplorer::ui {
 
@@ -19,6 +20,7 @@ struct FiguresTabState {
     TextureObjectsState objects;
     EmbossTheoryState emboss;
     EdgeLensState edge;
+    UploadFigureState upload;
 };
 
 /// Draws the names of all figures, and the selected one: WindowState::figure.

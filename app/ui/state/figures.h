@@ -9,7 +9,7 @@
 namespace texplorer::ui {
 
 /// Interactive figures that explain a topic next to the scene, all in one tab.
-enum class Figure { Environments, Sheet, Block, Flip, Objects, Emboss, Edge };
+enum class Figure { Environments, Sheet, Block, Flip, Objects, Emboss, Edge, Upload };
 
 struct FigureRow {
     Figure figure;
@@ -33,6 +33,8 @@ inline constexpr std::array figureRows{
               N_("How two heights, a light and a slope make a bump.")},
     FigureRow{Figure::Edge, "edge", N_("Edge lens"),
               N_("Which texels are mixed across the edges of a texture, for each wrap mode and filter.")},
+    FigureRow{Figure::Upload, "upload", N_("Upload"),
+              N_("The bytes of the program's memory, and the texels that glTexImage makes of them.")},
 };
 
 [[nodiscard]] constexpr const FigureRow& rowOf(Figure figure) {
