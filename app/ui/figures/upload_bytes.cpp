@@ -85,6 +85,10 @@ std::optional<TexelPlace> readerOf(const UploadBytes& bytes, std::size_t byte) {
 Sentence verdictOn(const UploadBytes& bytes) {
     const std::size_t held = bytes.heldStride();
     const std::size_t read = bytes.readStride();
+    const int heldPixel = bytesPerPixel(bytes.held.pixels);
+    const int readPixel = bytesPerPixel(bytes.call.layout);
+    if (heldPixel != readPixel)
+        return Sentence("Pixels are {0} bytes in the memory, but OpenGL expects {1}.", heldPixel, readPixel);
     if (held != read && bytes.extent.height > 1)
         return Sentence("Rows are {0} bytes in the memory, but OpenGL expects {1}: the picture leans.", held,
                         read);

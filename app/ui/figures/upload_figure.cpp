@@ -99,7 +99,8 @@ void drawUploadFigure(const Session& session, UploadFigureState& state) {
                           read,
                           levels.lateFlip != LateFlip::None};
     const bool fits = look.bytes.heldStride() == look.bytes.readStride() &&
-                      look.bytes.held.pixels == look.bytes.call.layout;
+                      look.bytes.held.pixels == look.bytes.call.layout &&
+                      bytesRead(look.bytes.call, look.bytes.extent) <= look.bytes.heldBytes();
     const Sentence verdict = verdictOn(look.bytes);
     if (sameLineFor(textWidth(verdict), ImGui::GetFontSize() * 1.5F))
         ImGui::AlignTextToFramePadding();

@@ -199,7 +199,7 @@ class Schema(Texshot):
                   "Texture": "textures/0", "Level": "textures/0/levels/0", "ImageStep": "textures/0/preparation/0",
                   "Model": "models/0", "ModelMaterial": "models/0/material", "Mesh": "models/0/mesh", "ModelUnit": "models/0/units/0",
                   "Pass": "passes/0", "Fog": "passes/0/fog", "Unit": "passes/0/units/0",
-                  "Combine": "passes/0/units/0/combine", "Emboss": "passes/0/units/0/emboss",
+                  "Combine": "passes/0/units/0/combine", "Emboss": "passes/0/units/0/emboss", "Upload": "textures/0/upload",
                   "MatrixStep": "passes/0/units/0/matrix/0",
                   **{f"TexGen{each}": f"passes/0/units/0/texGen{each}" for each in "STRQ"}}
         self.assertEqual(set(places), set(self.schema["$defs"]))

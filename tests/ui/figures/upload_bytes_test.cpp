@@ -54,9 +54,12 @@ TEST(Verdicts, SayWhatIsWrong) {
     EXPECT_EQ(verdictOn(bytes).english(), "The call fits the memory: rows are 45 bytes.");
     bytes.call.unpacking.skipRows = 1;
     EXPECT_EQ(verdictOn(bytes).english(), "OpenGL reads 225 bytes, the memory has 180.");
-    bytes = {{{TransferFormat::Rgb, TransferType::Float}, 1}, {rgb}, {1, 1}};
-    EXPECT_EQ(verdictOn(bytes).english(),
-              "The memory holds r g b, Float; OpenGL reads r g b, Byte, 0 to 255.");
+    bytes = {{{TransferFormat::Rgba}, 1}, {rgb}, {15, 4}};
+    EXPECT_EQ(verdictOn(bytes).english(), "Pixels are 4 bytes in the memory, but OpenGL expects 3.");
+    bytes = {{{TransferFormat::Luminance, TransferType::UnsignedInt}, 1},
+             {{TransferFormat::Luminance, TransferType::Float}},
+             {15, 4}};
+    EXPECT_EQ(verdictOn(bytes).english(), "The memory holds l, Integer, from 0; OpenGL reads l, Float.");
 }
 
 TEST(Words, NameTheBytesOfATexelAndTheTexelOfAByte) {
