@@ -3,6 +3,8 @@
 #include "texplorer/diagnosis/diagnosis_rules.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace texplorer::diagnosis {
 namespace {
@@ -183,11 +185,15 @@ void pixels(const Case& about, Report& report) {
     });
 }
 
-/// The alignment that fits, if one does with this row length; else that of the image's own rows.
+/// The image's own rows, if they fit with this alignment; else the alignment that fits with this row length,
+/// or with that of the image.
 Upload withFittingRows(const Read& read) {
-    Upload to = read.upload;
-    for (const int length : {to.rowLength, 0}) {
-        for (const int each : {to.alignment, 4, 1, 2, 8}) {
+    const Upload& given = read.upload;
+    Upload to = given;
+    for (const auto& [length, alignments] :
+         {std::pair{0, std::vector{given.alignment}}, std::pair{given.rowLength, std::vector{4, 1, 2, 8}},
+          std::pair{0, std::vector{4, 1, 2, 8}}}) {
+        for (const int each : alignments) {
             to.rowLength = length;
             to.alignment = each;
             if (rowStride(callOf(to), read.plan.extent.width) == read.rowBytes())

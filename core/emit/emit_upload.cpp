@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 
 namespace texplorer::emit {
@@ -31,6 +32,11 @@ bool swapsInCall(const Upload& upload) {
     return upload.swapBytes && upload.rowLength == 0;
 }
 
+std::string wordOf(const Value& value) {
+    const auto* on = std::get_if<bool>(&value);
+    return on ? std::string(booleanName(*on)) : fmt::format("{}", std::get<int>(value));
+}
+
 } // namespace
 
 void writeTransfer(CodeWriter& writer, const ImageStep& step, const std::string& path, bool isOver) {
@@ -47,11 +53,19 @@ void writeUnpacking(CodeWriter& writer, const Upload& upload, const std::string&
     told.swapBytes = swapsInCall(upload);
     if (!skipsInCall(upload))
         told.skipRows = told.skipPixels = 0;
-    const Holder holder{uploadTable(), isOver ? &initial : &told, &initial, path, "upload", {}};
+    const Holder holder{uploadTable(), &upload, &initial, path, keyOf<&Texture::upload>(), {}};
     for (const MemberId member :
          {memberId<&Upload::alignment>, memberId<&Upload::rowLength>, memberId<&Upload::skipRows>,
-          memberId<&Upload::skipPixels>, memberId<&Upload::swapBytes>})
-        writer.row(holder, member);
+          memberId<&Upload::skipPixels>, memberId<&Upload::swapBytes>}) {
+        const ParamRow& row = *std::ranges::find(holder.table.params, member, &ParamRow::member);
+        const Value start = row.read(&initial);
+        if (!isOver && row.read(&told) == row.read(&upload))
+            writer.row(holder, row);
+        else if (const Value value = isOver ? start : row.read(&told);
+                 writer.set(fmt::format("{}.{}", holder.state, row.key), value, start))
+            writer.add(
+                callWith("glPixelStorei", {plain(fmt::format("{}, {}", glNameOf(row), wordOf(value)))}));
+    }
     writeComponents(writer, upload.scale, 1, transferScales,
                     fmt::format("{}.{}", path, keyOf<&Upload::scale>()), isOver);
     writeComponents(writer, upload.bias, 0, transferBiases,

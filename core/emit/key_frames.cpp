@@ -78,7 +78,9 @@ Sentence obstacleTo(Flavour flavour, const ParamRow& row) {
                                      memberId<&Texture::wrapS>,          memberId<&Texture::wrapT>,
                                      memberId<&Texture::wrapR>,          memberId<&Texture::baseLevel>,
                                      memberId<&Texture::maxLevel>,       memberId<&Texture::compareFunc>};
-    if (isOneOf(row.member, ofTexels))
+    const bool isOfUpload =
+        std::ranges::find(uploadTable().params, row.member, &ParamRow::member) != uploadTable().params.end();
+    if (isOneOf(row.member, ofTexels) || isOfUpload)
         return N_("texels are made only when the program starts");
     if (isOneOf(row.member, ofShape))
         return N_("shapes are made only when the program starts");

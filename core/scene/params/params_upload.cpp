@@ -11,7 +11,7 @@ constexpr std::array uploadRows{
         "custom", N_("Upload"), N_("Custom upload"), "",
         N_("On: the call below reads the program's memory, whether it fits or not. Off: it "
            "fits.")),
-    param<&Upload::memory>("memory", N_("Upload"), N_("Memory"), "",
+    param<&Upload::memory>("memory", N_("Upload"), N_("Memory rows"), "",
                            N_("What the program's memory holds of the image: the rows of its file, or a "
                               "layout of its own.")),
     param<&Upload::memoryFormat>("memoryFormat", N_("Upload"), N_("Memory format"), "",

@@ -969,6 +969,17 @@ const Wrong wrongs[] = {
                  step.amount = 0;
          });
      }},
+    {"UploadIgnored", "upload", [](Scene& s) { eachTexture(s, [](Texture& t) { t.upload = {}; }); }},
+    {"RowsNeverAligned", "upload",
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.upload.alignment = 1; }); }, nullptr, 132},
+    {"BlueReadAsRed", "upload",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) {
+             if (t.upload.format == TransferFormat::Bgr)
+                 t.upload.format = TransferFormat::Rgb;
+         });
+     },
+     nullptr, 132},
     {"AlphaTestBackwards", "alpha-test",
      [](Scene& s) {
          for (Pass& pass : s.passes)

@@ -31,6 +31,9 @@ constexpr std::array uploadRows{
     Mistake{"SlantedRows", "upload-rows", Warning, "textures[0].upload.alignment",
             "rows are 45 bytes, OpenGL expects 48: the picture is slanted",
             [](Subject& s) { custom(s).alignment = 4; }},
+    Mistake{"SlantedRowsOfALengthRatherThanAnAlignment", "upload-rows", Warning,
+            "textures[0].upload.rowLength", "rows are 48 bytes, OpenGL expects 44", // 8 would make 48 of it
+            [](Subject& s) { custom(s, PixelFormat::Rgb8, "BMP").rowLength = 14; }},
     Mistake{"SlantedRowsOfALength", "upload-rows", Warning, "textures[0].upload.rowLength",
             "rows are 45 bytes, OpenGL expects 48", [](Subject& s) { custom(s).rowLength = 16; }},
     Mistake{"RowsOfALengthThatFitsByItsAlignment", "upload-rows", Warning, "textures[0].upload.alignment",
