@@ -2,6 +2,7 @@
 
 #include "texplorer/emit/model_arrays.h"
 #include "texplorer/gl/argument_names.h"
+#include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/keys.h"
 

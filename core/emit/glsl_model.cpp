@@ -5,6 +5,7 @@
 #include "texplorer/emit/transformations.h"
 #include "texplorer/gl/argument_names.h"
 #include "texplorer/glsl/vertex_attributes.h"
+#include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/keys.h"
 

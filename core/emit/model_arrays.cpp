@@ -1,6 +1,7 @@
 #include "texplorer/emit/model_arrays.h"
 
 #include "texplorer/base/sentence_format.h"
+#include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/emboss.h"
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/keys.h"

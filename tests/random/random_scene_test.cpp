@@ -206,10 +206,11 @@ TEST(RandomScenes, ReachEveryChoiceAndBothEndsOfEveryRow) {
     EXPECT_EQ(seen.choices.size() + seen.numbers.size() + seen.texts.size(), [] {
         std::size_t count = 0;
         for (const StructTable* table :
-             {&viewTable(),     &lightTable(),   &projectorTable(),  &materialTable(),  &modelTable(),
-              &meshTable(),     &textureTable(), &givenLevelTable(), &imageStepTable(), &passTable(),
-              &fogTable(),      &unitTable(),    &matrixStepTable(), &combineTable(),   &embossTable(),
-              &keyFrameTable(), &texGenTable(0), &texGenTable(1),    &texGenTable(2),   &texGenTable(3)})
+             {&viewTable(),   &lightTable(),    &projectorTable(),  &materialTable(),  &modelTable(),
+              &meshTable(),   &textureTable(),  &givenLevelTable(), &imageStepTable(), &passTable(),
+              &fogTable(),    &unitTable(),     &matrixStepTable(), &combineTable(),   &embossTable(),
+              &uploadTable(), &keyFrameTable(), &texGenTable(0),    &texGenTable(1),   &texGenTable(2),
+              &texGenTable(3)})
             count += table->params.size();
         return count;
     }());

@@ -5,6 +5,7 @@
 #include "texplorer/image/linear_light.h"
 #include "texplorer/image/power_of_two.h"
 #include "texplorer/image/stored_numbers.h"
+#include "texplorer/reference/sampling/lod.h"
 #include "texplorer/s3tc/decode.h"
 #include "texplorer/s3tc/encode.h"
 
