@@ -17,7 +17,7 @@ std::stop_source* asked = nullptr;
 int received = 0;
 bool outputBegun = false;
 bool printed = false;
-constexpr std::chrono::seconds maxPrinting{5}; // then nobody reads it
+constexpr std::chrono::seconds maxPrinting{5}; // of a document that no program reads
 
 void waitForSignals(sigset_t signals) {
     for (int signal = 0; sigwait(&signals, &signal) == 0;) {

@@ -90,8 +90,8 @@ Sentence verdictOn(const UploadBytes& bytes) {
     if (heldPixel != readPixel)
         return Sentence("Pixels are {0} bytes in the memory, but OpenGL expects {1}.", heldPixel, readPixel);
     if (held != read && bytes.extent.height > 1)
-        return Sentence("Rows are {0} bytes in the memory, but OpenGL expects {1}: the picture leans.", held,
-                        read);
+        return Sentence("Rows are {0} bytes in the memory, but OpenGL expects {1}: the picture is slanted.",
+                        held, read);
     if (bytes.held.pixels != bytes.call.layout)
         return Sentence("The memory holds {0}; OpenGL reads {1}.",
                         wordsOf(bytes.held.pixels, bytes.call.layout),

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace texplorer::ui {
@@ -16,20 +15,6 @@ std::string uploadPath(const Session& session) {
     return fmt::format("{}.{}",
                        elementOf<&Scene::textures>(static_cast<std::size_t>(selectedUnit(session).texture)),
                        keyOf<&Texture::upload>());
-}
-
-/// Of the base as the program holds it: steps and blocks may give it other components than its file has.
-PixelFormat heldFormat(Texture texture, const TexturePictures& pictures, Target target) {
-    const auto* image = std::get_if<Image>(&pictures.base->surface(0, 0));
-    if (image && texture.preparation.empty() && texture.transparency == Transparency::File)
-        return image->format;
-    texture.upload = {};
-    texture.compression = Compression::None;
-    texture.mipmaps = MipPolicy::None;
-    const Result<TextureLevels> levels = prepareLevels(texture, pictures, target);
-    const auto* held =
-        levels && !levels->levels.empty() ? std::get_if<Image>(&*levels->levels.front().surface) : nullptr;
-    return held ? held->format : PixelFormat::Rgba8;
 }
 
 } // namespace
@@ -43,7 +28,10 @@ UploadFacts uploadFacts(const Session& session) {
     const LevelPlan plan = planLevels(texture, pictures, target);
     if (plan.levels.empty())
         return {{}, upload};
-    const MemoryLayout held = memoryOf(upload, heldFormat(texture, pictures, target), pictures.base->format);
+    texture.upload = upload;
+    const LevelPlan custom = planLevels(texture, pictures, target);
+    const MemoryLayout held =
+        custom.upload ? custom.upload->memory : memoryOf(upload, PixelFormat::Rgba8, pictures.base->format);
     const auto widthOf = [&](const PlannedLevel& level) { return level.width + 2 * plan.border; };
     upload = fittingUpload(upload, held, widthOf(plan.levels.front()), isDepth(texture.internalFormat));
     const UploadCall call = callOf(upload);

@@ -46,7 +46,7 @@ TEST(Readers, AreTheTexelsWhoseBytesTheyAre) {
 
 TEST(Verdicts, SayWhatIsWrong) {
     EXPECT_EQ(verdictOn(tight).english(),
-              "Rows are 45 bytes in the memory, but OpenGL expects 48: the picture leans.");
+              "Rows are 45 bytes in the memory, but OpenGL expects 48: the picture is slanted.");
     UploadBytes bytes = tight;
     bytes.call.unpacking.alignment = 1;
     EXPECT_EQ(verdictOn(bytes).english(), "The memory holds b g r; OpenGL reads r g b.");
