@@ -27,6 +27,12 @@ std::string extents(const Surface& surface, Target target) {
     return text;
 }
 
+/// Whether the driver chooses what the levels are stored as.
+bool isDriversChoice(const TextureLevels& levels) {
+    return isGenericCompressed(levels.internalFormat) && !levels.driverFormat &&
+           std::holds_alternative<Image>(*levels.levels.front().surface);
+}
+
 /// Why a driver cannot take these levels unchanged; empty: it can.
 Sentence lackingFormat(const TextureLevels& levels, const view::Capabilities& capabilities) {
     std::optional<BlockFormat> format = levels.driverFormat;
@@ -136,6 +142,7 @@ void LiveTexture::finish() {
     });
     shape_ = reference::shapeOf(levels, next.request.target);
     object_ = std::move(next.object);
+    stored_ = std::make_shared<const view::StoredTexture>(object_.stored());
     errors_ = std::move(next.errors);
     shown_ = next.request;
     given_.emplace(Given{std::move(next.request), std::move(next.levels)});
@@ -148,7 +155,7 @@ void LiveTexture::giveBack(LevelsSource* source) {
     if (!source)
         return;
     std::vector<TextureLevel> made;
-    if ((*given.levels)->driverFormat) {
+    if ((*given.levels)->driverFormat || isDriversChoice(**given.levels)) {
         if (Result<std::vector<TextureLevel>> read = object_.read())
             made = std::move(*read);
     }

@@ -37,6 +37,9 @@ public:
     /// The base format and the extents of the levels, without texels: enough to check completeness.
     [[nodiscard]] const reference::SampledTexture& shape() const { return shape_; }
 
+    /// What the driver stores; nullptr: nothing is shown.
+    [[nodiscard]] const std::shared_ptr<const view::StoredTexture>& stored() const { return stored_; }
+
     /// Errors and notes about its current state; repeated each frame while they apply.
     [[nodiscard]] const GlErrors& errors() const { return cancelled_ ? cancelledErrors_ : errors_; }
 
@@ -72,6 +75,7 @@ private:
     LateFlip lateFlip_ = LateFlip::None;
     bool hasNegative_ = false;
     reference::SampledTexture shape_;
+    std::shared_ptr<const view::StoredTexture> stored_;
     GlErrors errors_;
     bool cancelled_ = false;
     GlErrors cancelledErrors_; ///< used instead of errors_ while it is cancelled

@@ -23,7 +23,8 @@ Texture baseSettings(const Texture& texture) {
     settings.levels.clear();
     settings.mipFilter = MipFilter::Box;
     settings.mipGamma = false;
-    if (factsOf(texture.internalFormat).encoding != Encoding::Linear)
+    if (factsOf(texture.internalFormat).encoding != Encoding::Linear ||
+        isGenericCompressed(texture.internalFormat))
         settings.internalFormat = internalFormat(baseFormat(texture.internalFormat));
     return settings;
 }

@@ -115,6 +115,7 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
                        state.errors.sentences(),
                        state.textures->isUploading(),
                        state.pipeline->shaders(),
+                       state.textures->stored(),
                        state.revision};
 }
 

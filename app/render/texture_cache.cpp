@@ -70,6 +70,16 @@ const TextureObject* TextureCache::find(std::size_t index, Target target) const 
     return usable ? &found->second.object() : nullptr;
 }
 
+std::map<std::pair<std::size_t, Target>, std::shared_ptr<const view::StoredTexture>>
+TextureCache::stored() const {
+    std::map<std::pair<std::size_t, Target>, std::shared_ptr<const view::StoredTexture>> all;
+    for (const auto& [place, slot] : slots_) {
+        if (slot.stored())
+            all.emplace(place, slot.stored());
+    }
+    return all;
+}
+
 bool TextureCache::isUploading() const {
     return std::ranges::any_of(slots_, [](const auto& entry) { return entry.second.isUploading(); });
 }

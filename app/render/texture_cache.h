@@ -51,6 +51,10 @@ public:
     /// The result of the last `prepare`, or nullptr.
     [[nodiscard]] const TextureObject* find(std::size_t index, Target target) const;
 
+    /// What the driver stores, by texture of the scene and target.
+    [[nodiscard]] std::map<std::pair<std::size_t, Target>, std::shared_ptr<const view::StoredTexture>>
+    stored() const;
+
     /// Deletes the texture objects that no unit of the scene names, whether the unit is on or off.
     void keepOnly(const Scene& scene);
 

@@ -1,36 +1,22 @@
 #include "app/render/texture_object.h"
 
+#include <fmt/core.h>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 #include <string>
 
 namespace texplorer::render {
 
 namespace {
 
-/// A format and the sized format that is requested from the driver.
-struct Sized {
-    InternalFormat format;
-    GLint name;
-};
-constexpr std::array sizedFormats{
-    Sized{InternalFormat::Alpha, GL_ALPHA8},
-    Sized{InternalFormat::Luminance, GL_LUMINANCE8},
-    Sized{InternalFormat::LuminanceAlpha, GL_LUMINANCE8_ALPHA8},
-    Sized{InternalFormat::Intensity, GL_INTENSITY8},
-    Sized{InternalFormat::Rgb, GL_RGB8},
-    Sized{InternalFormat::Rgba, GL_RGBA8},
-};
-
-/// Requests eight bits per component on every driver (table 3.16) where the name leaves the number open. A
-/// format with few bits is requested by its own name: the pixels have its precision already, so a driver with
-/// more bits stores the same values.
+/// Requests the bits that its facts say on every driver. A format with few bits is requested by its own name:
+/// the pixels have its precision already, so a driver with more bits stores the same values.
 GLint sizedFormat(InternalFormat format) {
-    const auto* found = std::ranges::find(sizedFormats, format, &Sized::format);
-    return found == sizedFormats.end() ? static_cast<GLint>(format) : found->name;
+    return static_cast<GLint>(factsOf(format).sized);
 }
 
 GLenum pixelFormat(PixelFormat format) {
@@ -158,35 +144,44 @@ const char* uploadBlocks(Target target, const TextureLevel& level) {
     return "glCompressedTexImage2D";
 }
 
+/// The longest side of a texture.
+int largestExtent(Target target) {
+    GLint most = 0;
+    glGetIntegerv(target == Target::Texture3D ? GL_MAX_3D_TEXTURE_SIZE
+                  : target == Target::CubeMap ? GL_MAX_CUBE_MAP_TEXTURE_SIZE
+                                              : GL_MAX_TEXTURE_SIZE,
+                  &most);
+    return most;
+}
+
 /// Whether OpenGL accepts it: faces that are not square are an error, and the texture is incomplete anyway.
 /// So are levels whose base would be too large (OpenGL 2.1, section 3.8.1).
 bool isAccepted(Target target, const TextureLevel& level, int border) {
     const Surface& surface = level.surface;
     if (target == Target::CubeMap && widthOf(surface) != heightOf(surface))
         return false;
-    GLint most = 0;
-    glGetIntegerv(target == Target::Texture3D ? GL_MAX_3D_TEXTURE_SIZE
-                  : target == Target::CubeMap ? GL_MAX_CUBE_MAP_TEXTURE_SIZE
-                                              : GL_MAX_TEXTURE_SIZE,
-                  &most);
     const int extent = std::max({widthOf(surface), heightOf(surface), depthOf(surface)}) - 2 * border;
-    return level.number == 0 || extent <= most >> level.number;
+    return level.number == 0 || extent <= largestExtent(target) >> level.number;
+}
+
+int levelParameter(GLenum aim, GLint level, GLenum what) {
+    GLint value = 0;
+    glGetTexLevelParameteriv(aim, level, what, &value);
+    return value;
 }
 
 /// Reads the levels of the bound texture, or of one of its faces.
 Result<void> readImages(GLenum aim, int face, int maxLevels, std::vector<TextureLevel>& levels) {
-    const auto ask = [aim](GLint level, GLenum what) {
-        GLint value = 0;
-        glGetTexLevelParameteriv(aim, level, what, &value);
-        return value;
-    };
+    const auto ask = [aim](GLint level, GLenum what) { return levelParameter(aim, level, what); };
     for (GLint level = 0; level < maxLevels; ++level) {
         const int width = ask(level, GL_TEXTURE_WIDTH);
         if (width == 0)
             continue;
         const int height = ask(level, GL_TEXTURE_HEIGHT);
         const int depth = ask(level, GL_TEXTURE_DEPTH);
-        if (ask(level, GL_TEXTURE_COMPRESSED) == GL_FALSE) {
+        const auto stored = static_cast<std::uint32_t>(ask(level, GL_TEXTURE_INTERNAL_FORMAT));
+        const EnumRow* row = findRow(blockFormatRows, stored);
+        if (ask(level, GL_TEXTURE_COMPRESSED) == GL_FALSE || !row) { // OpenGL decompresses the others
             const PixelFormat format =
                 ask(level, GL_TEXTURE_DEPTH_SIZE) > 0 ? PixelFormat::Depth32 : PixelFormat::Rgba8;
             Image image = Image::uninitialised(format, width, std::max(height, 1), std::max(depth, 1));
@@ -194,15 +189,7 @@ Result<void> readImages(GLenum aim, int face, int maxLevels, std::vector<Texture
             levels.push_back({level, std::move(image), face});
             continue;
         }
-        const auto format = static_cast<std::uint32_t>(ask(level, GL_TEXTURE_INTERNAL_FORMAT));
-        const EnumRow* row = findRow(blockFormatRows, format);
-        if (!row)
-            return fail(
-                ErrorCode::Unsupported,
-                Sentence(
-                    "the driver holds level {0} in a compressed format that Texplorer does not know: {1}",
-                    level, format));
-        BlockImage image = BlockImage::uninitialised(static_cast<BlockFormat>(format), width, height);
+        BlockImage image = BlockImage::uninitialised(static_cast<BlockFormat>(stored), width, height);
         const auto size = static_cast<std::size_t>(ask(level, GL_TEXTURE_COMPRESSED_IMAGE_SIZE));
         if (size != image.blocks.size())
             return fail(ErrorCode::Driver,
@@ -212,6 +199,63 @@ Result<void> readImages(GLenum aim, int face, int maxLevels, std::vector<Texture
         levels.push_back({level, std::move(image), face});
     }
     return {};
+}
+
+/// Formats that drivers choose and Texplorer itself doesn't make.
+struct OtherCompressed {
+    GLenum format;
+    std::string_view name;
+};
+constexpr std::array otherCompressed{
+    OtherCompressed{GL_COMPRESSED_LUMINANCE_LATC1_EXT, "GL_COMPRESSED_LUMINANCE_LATC1_EXT"},
+    OtherCompressed{GL_COMPRESSED_LUMINANCE_ALPHA_LATC2_EXT, "GL_COMPRESSED_LUMINANCE_ALPHA_LATC2_EXT"},
+    OtherCompressed{GL_COMPRESSED_SRGB_S3TC_DXT1_EXT, "GL_COMPRESSED_SRGB_S3TC_DXT1_EXT"},
+    OtherCompressed{GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT, "GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT"},
+    OtherCompressed{GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT, "GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT"},
+    OtherCompressed{GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT, "GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT"},
+};
+
+std::string nameOfFormat(GLenum format) {
+    for (const std::span<const EnumRow> rows :
+         {std::span<const EnumRow>(internalFormatRows), std::span<const EnumRow>(blockFormatRows)}) {
+        if (const EnumRow* row = findRow(rows, format))
+            return std::string(row->name);
+    }
+    const auto* other = std::ranges::find(otherCompressed, format, &OtherCompressed::format);
+    return other == otherCompressed.end() ? fmt::format("0x{:04X}", format) : std::string(other->name);
+}
+
+/// In the order of view::storedComponents.
+constexpr std::array<GLenum, view::storedComponents.size()> sizeNames{
+    GL_TEXTURE_RED_SIZE,       GL_TEXTURE_GREEN_SIZE,     GL_TEXTURE_BLUE_SIZE, GL_TEXTURE_ALPHA_SIZE,
+    GL_TEXTURE_LUMINANCE_SIZE, GL_TEXTURE_INTENSITY_SIZE, GL_TEXTURE_DEPTH_SIZE};
+
+/// A proxy texture has no texels: OpenGL says only whether there would be room (section 3.8.11).
+int largestFitting(Target target, GLenum format, bool hasDepths) {
+    const auto stored = static_cast<GLint>(format);
+    const GLenum layout = hasDepths ? GL_DEPTH_COMPONENT : GL_RGBA;
+    int extent = largestExtent(target);
+    for (; extent > 1; extent /= 2) {
+        GLenum proxy = GL_PROXY_TEXTURE_2D;
+        switch (target) {
+        case Target::Texture1D:
+            proxy = GL_PROXY_TEXTURE_1D;
+            glTexImage1D(proxy, 0, stored, extent, 0, layout, GL_UNSIGNED_BYTE, nullptr);
+            break;
+        case Target::Texture3D:
+            proxy = GL_PROXY_TEXTURE_3D;
+            glTexImage3D(proxy, 0, stored, extent, extent, extent, 0, layout, GL_UNSIGNED_BYTE, nullptr);
+            break;
+        case Target::CubeMap:
+            proxy = GL_PROXY_TEXTURE_CUBE_MAP;
+            [[fallthrough]];
+        case Target::Texture2D:
+            glTexImage2D(proxy, 0, stored, extent, extent, 0, layout, GL_UNSIGNED_BYTE, nullptr);
+        }
+        if (levelParameter(proxy, 0, GL_TEXTURE_WIDTH) > 0)
+            break;
+    }
+    return extent;
 }
 
 GLint enumerant(auto value) {
@@ -236,7 +280,8 @@ bool TextureObject::upload(const TextureLevels& levels, UploadCursor& cursor, st
     const auto target = static_cast<Target>(target_);
     const GLint stored =
         levels.driverFormat ? enumerant(*levels.driverFormat) : sizedFormat(levels.internalFormat);
-    const std::size_t slowness = levels.driverFormat ? driverSlowness : 1;
+    const std::size_t slowness =
+        levels.driverFormat || isGenericCompressed(levels.internalFormat) ? driverSlowness : 1;
     std::size_t left = std::max<std::size_t>(1, bytes / slowness);
     glBindTexture(target_, handle_.name());
     // The driver makes no levels of cube faces that it refuses.
@@ -323,14 +368,37 @@ void TextureObject::apply(const Texture& texture, float maxAnisotropy, std::stri
     errors.add(applyErrors_.sentences());
 }
 
+view::StoredTexture TextureObject::stored() const {
+    const auto target = static_cast<Target>(target_);
+    const GLenum aim = imageTarget(target, 0);
+    glBindTexture(target_, handle_.name());
+    view::StoredTexture stored;
+    const int count = mipLevelCount(largestExtent(target), 1);
+    for (int number = 0; number < count; ++number) {
+        const auto ask = [&](GLenum what) { return levelParameter(aim, number, what); };
+        view::StoredLevel level{number, ask(GL_TEXTURE_WIDTH), std::max(1, ask(GL_TEXTURE_HEIGHT)),
+                                std::max(1, ask(GL_TEXTURE_DEPTH)), ask(GL_TEXTURE_BORDER)};
+        if (level.width == 0)
+            continue;
+        const auto format = static_cast<GLenum>(ask(GL_TEXTURE_INTERNAL_FORMAT));
+        if (stored.levels.empty())
+            stored.largest = largestFitting(target, format, ask(GL_TEXTURE_DEPTH_SIZE) > 0);
+        level.internalFormat = nameOfFormat(format);
+        std::ranges::transform(sizeNames, level.bits.begin(), ask);
+        if (ask(GL_TEXTURE_COMPRESSED) != GL_FALSE)
+            level.bytes = static_cast<std::size_t>(ask(GL_TEXTURE_COMPRESSED_IMAGE_SIZE));
+        stored.levels.push_back(std::move(level));
+    }
+    GLint resident = GL_FALSE;
+    glGetTexParameteriv(target_, GL_TEXTURE_RESIDENT, &resident);
+    stored.resident = resident != GL_FALSE;
+    glGetTexParameterfv(target_, GL_TEXTURE_PRIORITY, &stored.priority);
+    return stored;
+}
+
 Result<std::vector<TextureLevel>> TextureObject::read() const {
     const auto target = static_cast<Target>(target_);
-    GLint largest = 0;
-    glGetIntegerv(target == Target::Texture3D ? GL_MAX_3D_TEXTURE_SIZE
-                  : target == Target::CubeMap ? GL_MAX_CUBE_MAP_TEXTURE_SIZE
-                                              : GL_MAX_TEXTURE_SIZE,
-                  &largest);
-    const int maxLevels = mipLevelCount(largest, 1); // it is an error to query a level beyond
+    const int maxLevels = mipLevelCount(largestExtent(target), 1); // it is an error to query a level beyond
     std::vector<TextureLevel> levels;
     glBindTexture(target_, handle_.name());
     for (int face = 0; face < facesOf(target); ++face) {

@@ -2,6 +2,7 @@
 
 #include "app/render/gl_errors.h"
 #include "app/render/gl_handle.h"
+#include "app/view/stored_texture.h"
 #include "texplorer/scene/scene.h"
 #include "texplorer/texture/texture_levels.h"
 
@@ -43,6 +44,9 @@ public:
     /// The levels as the driver holds them: blocks if they are compressed, Depth32 for depths, else Rgba8;
     /// missing levels are left out. Binds the texture.
     [[nodiscard]] Result<std::vector<TextureLevel>> read() const;
+
+    /// What OpenGL says of the levels. Binds the texture.
+    [[nodiscard]] view::StoredTexture stored() const;
 
 private:
     TextureHandle handle_;

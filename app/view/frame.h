@@ -3,10 +3,15 @@
 #include "app/view/pass_shader.h"
 #include "app/view/picture_handle.h"
 #include "app/view/size.h"
+#include "app/view/stored_texture.h"
 #include "texplorer/base/sentence.h"
+#include "texplorer/gl/sampling.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace texplorer::view {
@@ -21,6 +26,8 @@ struct Frame {
     bool unfinished = false;        ///< textures are still being uploaded: draw again
     /// Of each pass, where shaders draw it; see core/glsl/shader_source.h. nullptr: there is none.
     std::vector<std::shared_ptr<const PassShader>> shaders{};
+    /// By texture of the scene and target: what the driver stores of the textures drawn.
+    std::map<std::pair<std::size_t, Target>, std::shared_ptr<const StoredTexture>> stored{};
     std::uint64_t revision = 0; ///< of the picture: the same number, the same pixels as in the frame before
 };
 

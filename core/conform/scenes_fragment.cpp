@@ -87,7 +87,7 @@ void setEnvironment(Unit& unit, Texture& texture, Dice& state) {
 /// Those whose numbers aren't 255ths of a colour.
 constexpr auto unusualFormats = [] {
     constexpr auto isOne = [](const FormatFacts& facts) {
-        return hasFewBits(facts.format) || isSrgb(facts.format);
+        return (hasFewBits(facts.format) || isSrgb(facts.format)) && !isGenericCompressed(facts.format);
     };
     std::array<InternalFormat, std::ranges::count_if(formatFacts, isOne)> formats{};
     std::ranges::transform(formatFacts | std::views::filter(isOne), formats.begin(), &FormatFacts::format);

@@ -59,6 +59,29 @@ bool changesSlowly(const Image& image, InternalFormat format) {
     return 2 * slow > all;
 }
 
+/// OpenGL 2.1, section 3.8.1.
+void refused(const Case& about, Report& report) {
+    forEachShown(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
+        if (isRefused(texture.internalFormat))
+            report.add(path + keyOf<&Texture::internalFormat>(),
+                       Sentence("{0}: the texture has no image; drawn as if the unit were off",
+                                facts.targets.front().plan.refusal),
+                       plainFormat(path, texture.internalFormat));
+    });
+}
+
+void driversChoice(const Case& about, Report& report) {
+    forEachShown(about, [&](const Texture& texture, const TextureFacts&, const std::string& path) {
+        if (isGenericCompressed(texture.internalFormat))
+            report.add(
+                path + keyOf<&Texture::internalFormat>(),
+                Sentence("the driver chooses what {0} is stored as: the picture may differ from driver "
+                         "to driver",
+                         named(texture.internalFormat)),
+                plainFormat(path, texture.internalFormat));
+    });
+}
+
 void banding(const Case& about, Report& report) {
     forEachShown(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
         const Image* base =
@@ -105,8 +128,10 @@ void averagedAsStored(const Case& about, Report& report) {
 }
 
 constexpr std::array formatRuleRows{
+    Rule{"format-refused", Severity::Error, refused},
     Rule{"srgb-levels", Severity::Warning, averagedAsStored},
     Rule{"srgb-not-encoded", Severity::Note, decodedOnly},
+    Rule{"drivers-choice", Severity::Note, driversChoice},
     Rule{"banding", Severity::Note, banding},
 };
 

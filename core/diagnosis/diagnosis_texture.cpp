@@ -169,6 +169,7 @@ void incomplete(const Case& about, Report& report) {
             return;
         const auto broken = std::ranges::find_if(facts.targets, [&](const TargetFacts& each) {
             const bool refused = (isDepth(texture.internalFormat) && !takesDepths(each.target)) ||
+                                 !each.plan.refusal.empty() ||
                                  (each.plan.upload && !each.plan.upload->refusal.empty());
             return !refused && !each.completeness.complete();
         });
@@ -361,6 +362,19 @@ void lacksFormat(const Case& about, Report& report) {
     });
 }
 
+void refusedBorder(const Case& about, Report& report) {
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
+        if (texture.border > 1 && facts.image && facts.shown)
+            report.add(
+                path + keyOf<&Texture::border>(),
+                Sentence("GL_INVALID_VALUE: OpenGL has borders of 0 and 1 texels, not of {0}; drawn as if "
+                         "the unit were off",
+                         texture.border),
+                {Fix{Sentence("Set {0} to {1}", N_("Border"), 1), {{path + keyOf<&Texture::border>(), "1"}}},
+                 Fix{N_("Do without it"), {{path + keyOf<&Texture::border>(), "0"}}}});
+    });
+}
+
 void lostBorder(const Case& about, Report& report) {
     if (about.driver.textureBorders)
         return;
@@ -401,6 +415,7 @@ constexpr std::array textureRuleRows{
     Rule{"held-back-elsewhere", Severity::Note, heldBackElsewhere},
     Rule{"non-power-of-two", Severity::Warning, nonPowerOfTwo},
     Rule{"missing-format", Severity::Warning, lacksFormat, true},
+    Rule{"border-refused", Severity::Error, refusedBorder},
     Rule{"lost-border", Severity::Warning, lostBorder},
     Rule{"rough-lambda", Severity::Note, roughLambda},
 };

@@ -60,10 +60,15 @@ bool isTransferred(const Texture& texture, const TextureImage& image) {
 Texture withCallsOf(Flavour flavour, const Texture& texture, const TextureImage& image,
                     const ProgramOptions& options) {
     const bool isCore = flavour == Flavour::Glsl;
+    Texture settings = texture;
+    if (!isCore) { // makes the call that OpenGL refuses, and is drawn as if the unit were off
+        settings.border = std::min(texture.border, 1);
+        if (isRefused(texture.internalFormat))
+            settings.internalFormat = internalFormat(baseFormat(texture.internalFormat));
+    }
     // Of a custom upload the levels are made of what it reads.
     if (!texture.upload.custom && (options.selfContained || (isCore && texture.mipmaps == MipPolicy::Glu)))
-        return withGeneratedLevels(texture);
-    Texture settings = texture;
+        return withGeneratedLevels(settings);
     if (!isCore && isTransferred(texture, image))
         settings.preparation.clear();
     if (isCore && texture.mipmaps == MipPolicy::OnUpload)

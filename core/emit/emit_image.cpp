@@ -273,7 +273,7 @@ private:
     /// Of an image of few bits drivers would store as few.
     [[nodiscard]] bool namesBits() const {
         return !emission_.isCore && !code_.driverCompresses && code_.call &&
-               factsOf(code_.call->layout.type).isPacked() && !sizedNameOf(texture_.internalFormat).empty();
+               factsOf(code_.call->layout.type).isPacked();
     }
     [[nodiscard]] std::string uploadPath(const std::string& key) const {
         return fmt::format("{}.{}", pathOf(keyOf<&Texture::upload>()), key);
@@ -300,7 +300,8 @@ private:
         const std::size_t bracket = words.find('(');
         const auto resolve = [&](std::string_view word) -> std::optional<std::vector<Part>> {
             if (word == "{}" && namesBits())
-                return std::vector<Part>{choice(sizedNameOf(texture_.internalFormat), pathOf(row.key))};
+                return std::vector<Part>{
+                    choice(rowOf(factsOf(texture_.internalFormat).sized).name, pathOf(row.key))};
             if (word == "{}")
                 return std::vector<Part>{choice(emission_.isCore && !code_.driverCompresses
                                                     ? coreFormatOf(code_.shape.internalFormat).name
@@ -316,7 +317,7 @@ private:
             if (word == "depth")
                 return std::vector<Part>{plain(size[2])};
             if (word == keyOf<&Texture::border>())
-                return std::vector<Part>{code_.border == texture_.border
+                return std::vector<Part>{code_.border == texture_.border || texture_.border > 1
                                              ? whole(texture_.border, pathOf(word))
                                              : whole(code_.border)};
             if (word == "format" && code_.call)

@@ -11,35 +11,43 @@ namespace texplorer {
 /// An internal format of OpenGL 3.3's core profile, which has formats of red, of two, three and four
 /// components, and of depths. Texels are given as RGBA; the red of a luminance is used.
 struct CoreFormat {
-    InternalFormat format;
     std::string_view name;
     std::string_view swizzle{}; ///< of GL_TEXTURE_SWIZZLE_RGBA; empty: none
 };
 
-inline constexpr std::string_view alphaSwizzle = "GL_ZERO, GL_ZERO, GL_ZERO, GL_ALPHA";
-inline constexpr std::string_view luminanceSwizzle = "GL_RED, GL_RED, GL_RED, GL_ONE";
-inline constexpr std::string_view luminanceAlphaSwizzle = "GL_RED, GL_RED, GL_RED, GL_ALPHA";
-inline constexpr std::string_view intensitySwizzle = "GL_RED, GL_RED, GL_RED, GL_RED";
+/// What stands for the formats of a base format that the core profile lacks.
+struct CoreSubstitute {
+    BaseFormat base;
+    std::string_view swizzle;
+    std::string_view bits8;
+    std::string_view bits16;
+    std::string_view srgb{};
+    std::string_view compressed{};
+    std::string_view compressedSrgb{};
+};
 
-inline constexpr std::array coreFormats{
-    CoreFormat{InternalFormat::Rgba, "GL_RGBA8"},
-    CoreFormat{InternalFormat::Rgb, "GL_RGB8"},
-    CoreFormat{InternalFormat::Alpha, "GL_RGBA8", alphaSwizzle},
-    CoreFormat{InternalFormat::Alpha4, "GL_RGBA8", alphaSwizzle},
-    CoreFormat{InternalFormat::Luminance, "GL_R8", luminanceSwizzle},
-    CoreFormat{InternalFormat::Luminance4, "GL_R8", luminanceSwizzle},
-    CoreFormat{InternalFormat::LuminanceAlpha, "GL_RGBA8", luminanceAlphaSwizzle},
-    CoreFormat{InternalFormat::Luminance4Alpha4, "GL_RGBA8", luminanceAlphaSwizzle},
-    CoreFormat{InternalFormat::Intensity, "GL_R8", intensitySwizzle},
-    CoreFormat{InternalFormat::Intensity4, "GL_R8", intensitySwizzle},
-    CoreFormat{InternalFormat::Sluminance8, "GL_SRGB8", luminanceSwizzle},
-    CoreFormat{InternalFormat::Sluminance8Alpha8, "GL_SRGB8_ALPHA8", luminanceAlphaSwizzle},
+inline constexpr std::array coreSubstitutes{
+    CoreSubstitute{BaseFormat::Alpha, "GL_ZERO, GL_ZERO, GL_ZERO, GL_ALPHA", "GL_RGBA8", "GL_RGBA16", "",
+                   "GL_COMPRESSED_RGBA"},
+    CoreSubstitute{BaseFormat::Luminance, "GL_RED, GL_RED, GL_RED, GL_ONE", "GL_R8", "GL_R16", "GL_SRGB8",
+                   "GL_COMPRESSED_RED", "GL_COMPRESSED_SRGB"},
+    CoreSubstitute{BaseFormat::LuminanceAlpha, "GL_RED, GL_RED, GL_RED, GL_ALPHA", "GL_RGBA8", "GL_RGBA16",
+                   "GL_SRGB8_ALPHA8", "GL_COMPRESSED_RGBA", "GL_COMPRESSED_SRGB_ALPHA"},
+    CoreSubstitute{BaseFormat::Intensity, "GL_RED, GL_RED, GL_RED, GL_RED", "GL_R8", "GL_R16", "",
+                   "GL_COMPRESSED_RED"},
 };
 
 /// Formats that exist in both keep their name.
 [[nodiscard]] constexpr CoreFormat coreFormatOf(InternalFormat format) {
-    const auto* found = std::ranges::find(coreFormats, format, &CoreFormat::format);
-    return found == coreFormats.end() ? CoreFormat{format, rowOf(format).name} : *found;
+    const FormatFacts& facts = factsOf(format);
+    const auto* found = std::ranges::find(coreSubstitutes, facts.base, &CoreSubstitute::base);
+    if (found == coreSubstitutes.end() || isDepth(format))
+        return {rowOf(facts.sized).name};
+    if (isGenericCompressed(format))
+        return {isSrgb(format) ? found->compressedSrgb : found->compressed, found->swizzle};
+    if (isSrgb(format))
+        return {found->srgb, found->swizzle};
+    return {std::ranges::max(facts.bits) > 8 ? found->bits16 : found->bits8, found->swizzle};
 }
 
 } // namespace texplorer

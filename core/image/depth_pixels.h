@@ -37,7 +37,7 @@ inline void storeDepth(std::uint32_t depth, std::byte* pixel) {
 /// The number of bits in the light's view (texplorer/reference/light_depth.h).
 inline constexpr int lightDepthBits = 24;
 
-/// Returns the image's red, or its depths, as a texture with `bits` bits per depth (16 or 24) stores them:
+/// Returns the image's red, or its depths, as a texture with `bits` bits per depth (16, 24 or 32) stores them:
 /// Depth32. The red of an alpha image is 0.
 [[nodiscard]] Image depthsOf(const Image& image, int bits);
 

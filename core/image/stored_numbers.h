@@ -7,7 +7,7 @@
 
 namespace texplorer {
 
-/// The largest number of so many bits, 1 to 8.
+/// The largest number of so many bits, 1 to 16.
 [[nodiscard]] constexpr int maxNumber(int bits) {
     return (1 << bits) - 1;
 }

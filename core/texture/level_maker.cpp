@@ -170,7 +170,24 @@ Result<void> LevelMaker::takeMade(int face) {
     return {};
 }
 
+/// The arguments of glTexImage other than those of an upload: OpenGL 2.1, section 3.8.1. A texture that is
+/// compressed has another internal format.
+Result<void> LevelMaker::checkFormat() const {
+    const bool isCompressed =
+        texture_.compression == Compression::Driver || texture_.compression == Compression::Cached;
+    if (isRefused(texture_.internalFormat) && !isCompressed)
+        return fail(ErrorCode::Unsupported, Sentence("GL_INVALID_VALUE: {0} is not an internal format",
+                                                     rowOf(texture_.internalFormat).name));
+    if (texture_.border > 1)
+        return fail(
+            ErrorCode::Unsupported,
+            Sentence("GL_INVALID_VALUE: OpenGL has borders of 0 and 1 texels, not of {0}", texture_.border));
+    return {};
+}
+
 Result<void> LevelMaker::takePixels() {
+    if (Result<void> accepted = checkFormat(); !accepted)
+        return accepted;
     if (readsMemory()) {
         if (Result<void> accepted = checkUpload(); !accepted)
             return accepted;

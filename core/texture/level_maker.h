@@ -137,6 +137,7 @@ private:
     [[nodiscard]] PixelFormat formatOfPixels() const;
     [[nodiscard]] MemoryLayout memoryOfBase() const;
     [[nodiscard]] PlannedUpload plannedUpload() const;
+    [[nodiscard]] Result<void> checkFormat() const;
     [[nodiscard]] Result<void> checkUpload() const;
     [[nodiscard]] Result<Read> readBack(const Image& image) const;
     [[nodiscard]] Result<void> takeMadeOfRead(int face, const MipOptions& options);

@@ -70,6 +70,11 @@ LevelPlan LevelMaker::plan() {
         plan.blocks = std::get<BlockImage>(base()).format;
         return plan;
     }
+    if (const Result<void> accepted = checkFormat(); !accepted) {
+        plan.levels.clear();
+        plan.refusal = accepted.error().message;
+        return plan;
+    }
     if (readsMemory()) {
         plan.upload = plannedUpload();
         if (!plan.upload->refusal.empty()) {

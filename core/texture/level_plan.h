@@ -32,6 +32,8 @@ struct LevelPlan {
     int border = 0;                    ///< as in TextureLevels
     std::optional<BlockFormat> blocks; ///< kept from the file, or the format that the driver compresses to
     std::optional<PlannedUpload> upload{}; ///< of pixels; if it is refused, there are no levels
+    /// Why OpenGL refuses the internal format or the border; empty: it doesn't. Otherwise there are no levels.
+    Sentence refusal{};
 };
 
 /// The extents of a level above a base (OpenGL 2.1, section 3.8.8).

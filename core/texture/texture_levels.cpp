@@ -29,7 +29,7 @@ Result<TextureLevels> run(const Texture& texture, const TexturePictures& picture
             made->madeByDriver = !hasFewBits(made->internalFormat);
             if (!made->madeByDriver)
                 made->notes.push_back(
-                    Sentence("drivers store more bits than {0}: levels made with Texplorer's box filter",
+                    Sentence("drivers may store more bits than {0}: levels made with Texplorer's box filter",
                              ProperName{rowOf(made->internalFormat).name}));
         }
         const bool wanted = texture.mipmaps != MipPolicy::None;
@@ -87,9 +87,9 @@ Texture withGeneratedLevels(const Texture& texture) {
     settings.mipFilter = MipFilter::Box;
     const bool isCompressed =
         texture.compression == Compression::Driver || texture.compression == Compression::Cached;
-    const bool isColor = texture.internalFormat == InternalFormat::Srgb8 ||
-                         texture.internalFormat == InternalFormat::Srgb8Alpha8;
-    settings.mipGamma = byDriver && isColor && !isCompressed; // as Mesa
+    const BaseFormat base = baseFormat(texture.internalFormat);
+    const bool isColor = base == BaseFormat::Rgb || base == BaseFormat::Rgba;
+    settings.mipGamma = byDriver && isSrgb(texture.internalFormat) && isColor && !isCompressed; // as Mesa
     if (!byDriver)
         settings.npot = NpotPolicy::PowerOfTwo;
     return settings;

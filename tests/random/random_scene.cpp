@@ -413,6 +413,8 @@ void takeAwayWhatDiffers(Scene& scene) {
             texture.mipmaps = MipPolicy::Generated; // an incomplete texture is not visible
         if (texture.compression == Compression::Driver)
             texture.compression = Compression::FromFile;
+        if (isGenericCompressed(texture.internalFormat))
+            texture.internalFormat = internalFormat(baseFormat(texture.internalFormat));
         if (reference::switchOverOf(texture.magFilter, texture.minFilter) > 0)
             texture.magFilter = MagFilter::Nearest;
     }

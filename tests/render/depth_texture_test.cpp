@@ -45,7 +45,8 @@ protected:
 };
 
 TEST_F(DepthTexture, IsAGreyWhereNothingIsCompared) {
-    for (const InternalFormat format : {InternalFormat::DepthComponent16, InternalFormat::DepthComponent24}) {
+    for (const InternalFormat format : {InternalFormat::DepthComponent16, InternalFormat::DepthComponent24,
+                                        InternalFormat::DepthComponent, InternalFormat::DepthComponent32}) {
         EXPECT_TRUE(isColor(onlyColor(sceneAt(centreOf(1), 9, format)), {0.2F, 0.2F, 0.2F, 1}));
         EXPECT_TRUE(isColor(onlyColor(sceneAt(centreOf(2), 9, format)), {0.4F, 0.4F, 0.4F, 1}));
     }
@@ -167,7 +168,8 @@ TEST_F(DepthTexture, IsLeftOutOfOtherTargetsWithASentence) {
 // An image of 24 bits in each format, as the driver has it.
 TEST_F(DepthTexture, KeepsItsBits) {
     for (const auto& [format, bits] :
-         {std::pair{InternalFormat::DepthComponent16, 16}, std::pair{InternalFormat::DepthComponent24, 24}}) {
+         {std::pair{InternalFormat::DepthComponent16, 16}, std::pair{InternalFormat::DepthComponent24, 24},
+          std::pair{InternalFormat::DepthComponent, 24}, std::pair{InternalFormat::DepthComponent32, 32}}) {
         Image depths = Image::uninitialised(PixelFormat::Depth32, 16, 4);
         for (int i = 0; i < 64; ++i)
             storeDepth(widenedDepth(static_cast<std::uint32_t>(i) * 266305U, 24),

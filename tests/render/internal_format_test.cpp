@@ -1,6 +1,7 @@
 // What OpenGL makes of each internal format, against numbers from the specification: a texture of four texels
 // that fills the picture, with each of OpenGL's renderers.
 
+#include "app/render/gl_handle.h"
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
 #include "texplorer/reference/draw.h"
@@ -90,24 +91,103 @@ constexpr float light100 = 0.127438F;
 constexpr float light150 = 0.304987F;
 constexpr float light200 = 0.577580F;
 constexpr float alpha60 = 60 / 255.0F;
+constexpr float c100 = 100 / 255.0F;
+constexpr float c150 = 150 / 255.0F;
+constexpr float c200 = 200 / 255.0F;
 using I = InternalFormat;
 INSTANTIATE_TEST_SUITE_P(
     All, InternalFormats,
-    testing::Values(FormatCase{I::Rgb5A1, {12 / 31.0F, 18 / 31.0F, 24 / 31.0F, 0}},
-                    FormatCase{I::Rgba4, {6 / 15.0F, 9 / 15.0F, 12 / 15.0F, 4 / 15.0F}},
-                    FormatCase{I::Rgba2, {1 / 3.0F, 2 / 3.0F, 2 / 3.0F, 1 / 3.0F}},
-                    FormatCase{I::Rgb5, {12 / 31.0F, 18 / 31.0F, 24 / 31.0F, 1}},
-                    FormatCase{I::Rgb4, {6 / 15.0F, 9 / 15.0F, 12 / 15.0F, 1}},
-                    FormatCase{I::R3G3B2, {3 / 7.0F, 4 / 7.0F, 2 / 3.0F, 1}},
-                    FormatCase{I::Luminance4, {6 / 15.0F, 6 / 15.0F, 6 / 15.0F, 1}},
-                    FormatCase{I::Luminance4Alpha4, {6 / 15.0F, 6 / 15.0F, 6 / 15.0F, 4 / 15.0F}},
-                    FormatCase{I::Intensity4, {6 / 15.0F, 6 / 15.0F, 6 / 15.0F, 6 / 15.0F}},
-                    FormatCase{I::Alpha4, {1, 1, 1, 4 / 15.0F}},
-                    FormatCase{I::Srgb8Alpha8, {light100, light150, light200, alpha60}},
-                    FormatCase{I::Srgb8, {light100, light150, light200, 1}},
-                    FormatCase{I::Sluminance8Alpha8, {light100, light100, light100, alpha60}},
-                    FormatCase{I::Sluminance8, {light100, light100, light100, 1}}),
+    testing::Values(
+        FormatCase{I::Rgb5A1, {12 / 31.0F, 18 / 31.0F, 24 / 31.0F, 0}},
+        FormatCase{I::Rgba4, {6 / 15.0F, 9 / 15.0F, 12 / 15.0F, 4 / 15.0F}},
+        FormatCase{I::Rgba2, {1 / 3.0F, 2 / 3.0F, 2 / 3.0F, 1 / 3.0F}},
+        FormatCase{I::Rgb5, {12 / 31.0F, 18 / 31.0F, 24 / 31.0F, 1}},
+        FormatCase{I::Rgb4, {6 / 15.0F, 9 / 15.0F, 12 / 15.0F, 1}},
+        FormatCase{I::R3G3B2, {3 / 7.0F, 4 / 7.0F, 2 / 3.0F, 1}},
+        FormatCase{I::Luminance4, {6 / 15.0F, 6 / 15.0F, 6 / 15.0F, 1}},
+        FormatCase{I::Luminance4Alpha4, {6 / 15.0F, 6 / 15.0F, 6 / 15.0F, 4 / 15.0F}},
+        FormatCase{I::Intensity4, {6 / 15.0F, 6 / 15.0F, 6 / 15.0F, 6 / 15.0F}},
+        FormatCase{I::Alpha4, {1, 1, 1, 4 / 15.0F}}, FormatCase{I::Rgb10A2, {c100, c150, c200, 1 / 3.0F}},
+        FormatCase{I::Luminance6Alpha2, {25 / 63.0F, 25 / 63.0F, 25 / 63.0F, 1 / 3.0F}},
+        FormatCase{I::Luminance12Alpha4, {c100, c100, c100, 4 / 15.0F}},
+        FormatCase{I::Components4, {c100, c150, c200, alpha60}},
+        FormatCase{I::Components3, {c100, c150, c200, 1}},
+        FormatCase{I::Components2, {c100, c100, c100, alpha60}},
+        FormatCase{I::Components1, {c100, c100, c100, 1}}, FormatCase{I::Rgba8, {c100, c150, c200, alpha60}},
+        FormatCase{I::Rgba16, {c100, c150, c200, alpha60}}, FormatCase{I::Rgb12, {c100, c150, c200, 1}},
+        FormatCase{I::Luminance16, {c100, c100, c100, 1}},
+        FormatCase{I::Luminance12Alpha12, {c100, c100, c100, alpha60}},
+        FormatCase{I::Intensity16, {c100, c100, c100, c100}}, FormatCase{I::Alpha12, {1, 1, 1, alpha60}},
+        FormatCase{I::SrgbAlpha, {light100, light150, light200, alpha60}},
+        FormatCase{I::Sluminance, {light100, light100, light100, 1}},
+        FormatCase{I::Srgb8Alpha8, {light100, light150, light200, alpha60}},
+        FormatCase{I::Srgb8, {light100, light150, light200, 1}},
+        FormatCase{I::Sluminance8Alpha8, {light100, light100, light100, alpha60}},
+        FormatCase{I::Sluminance8, {light100, light100, light100, 1}}),
     [](const auto& test) { return std::string(rowOf(test.param.format).name); });
+
+class NamesOfInternalFormats : public RenderTest {
+protected:
+    /// What OpenGL says of glTexImage2D, called directly.
+    static GLenum errorOf(GLint format, bool isDepth = false, int border = 0) {
+        const render::TextureHandle texture = render::TextureHandle::create();
+        glBindTexture(GL_TEXTURE_2D, texture.name());
+        glTexImage2D(GL_TEXTURE_2D, 0, format, 4 + 2 * border, 4 + 2 * border, border,
+                     static_cast<GLenum>(isDepth ? GL_DEPTH_COMPONENT : GL_RGBA), GL_UNSIGNED_BYTE, nullptr);
+        return glGetError();
+    }
+    Scene oneTexel(InternalFormat format) {
+        images.put("image", plainImage(8, 8, {100, 150, 200, 60}));
+        Scene scene = texturedScene();
+        scene.textures[0].internalFormat = format;
+        scene.passes[0].units[0].envMode = EnvMode::Replace;
+        return scene;
+    }
+};
+
+TEST_F(NamesOfInternalFormats, AreAcceptedOrRefusedByOpenGl) {
+    for (const FormatFacts& facts : formatFacts)
+        EXPECT_EQ(errorOf(static_cast<GLint>(facts.format), isDepth(facts.format)),
+                  static_cast<GLenum>(isRefused(facts.format) ? GL_INVALID_VALUE : GL_NO_ERROR))
+            << rowOf(facts.format).name;
+    EXPECT_EQ(errorOf(GL_RGB, false, 1), static_cast<GLenum>(GL_NO_ERROR));
+    EXPECT_EQ(errorOf(GL_RGB, false, 2), static_cast<GLenum>(GL_INVALID_VALUE));
+}
+
+// Section 3.8.10: a texture without an image is incomplete. The fragment stays as it is, white.
+TEST_F(NamesOfInternalFormats, ThatAreRefusedLeaveNoImage) {
+    const auto expectWhite = [&](const Scene& scene, const char* why) {
+        EXPECT_EQ(onlyColor(scene), glm::vec4(1)) << why;
+        EXPECT_THAT(problems, testing::Contains(testing::HasSubstr("GL_INVALID_VALUE"))) << why;
+        const Result<Frame> ours = reference::drawReference({scene, images, 0, 8, 8});
+        ASSERT_TRUE(ours) << describe(ours.error());
+        EXPECT_EQ(ours->image, picture(scene, 8, 0)) << why;
+    };
+    for (const InternalFormat format : {InternalFormat::Bgr, InternalFormat::UnsignedByte,
+                                        InternalFormat::Components0, InternalFormat::Components5})
+        expectWhite(oneTexel(format), rowOf(format).name.data());
+    Scene scene = oneTexel(InternalFormat::Rgb);
+    scene.textures[0].border = 2;
+    expectWhite(scene, "border");
+}
+
+// What the driver chose is said, and is not far from the image.
+TEST_F(NamesOfInternalFormats, LeaveTheFormatToTheDriver) {
+    for (const auto& [format, expected] :
+         {std::pair{InternalFormat::CompressedRgb, glm::vec4(100, 150, 200, 255)},
+          std::pair{InternalFormat::CompressedRgba, glm::vec4(100, 150, 200, 60)},
+          std::pair{InternalFormat::CompressedLuminanceAlpha, glm::vec4(100, 100, 100, 60)},
+          std::pair{InternalFormat::CompressedAlpha, glm::vec4(255, 255, 255, 60)}}) {
+        const glm::vec4 found = onlyColor(oneTexel(format)) * 255.0F;
+        for (int c = 0; c < 4; ++c)
+            EXPECT_NEAR(found[c], expected[c], 255 / 31.0F) << rowOf(format).name << " component " << c;
+        const Result<view::Frame> frame = renderer->draw(oneTexel(format), images, 0, {8, 8});
+        ASSERT_TRUE(frame) << describe(frame.error());
+        const auto stored = frame->stored.find({0, Target::Texture2D});
+        ASSERT_NE(stored, frame->stored.end()) << rowOf(format).name;
+        EXPECT_THAT(stored->second->levels.at(0).internalFormat, testing::StartsWith("GL_"));
+    }
+}
 
 } // namespace
 } // namespace texplorer::internal_format_test

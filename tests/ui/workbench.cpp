@@ -343,6 +343,11 @@ void Workbench::choose(std::string_view param, std::string_view name) {
     const std::string choice = fmt::format("{}={}", param, name);
     if (!has(choice)) // they are in a list
         click(param);
+    const std::string groups = fmt::format("{}#group ", param); // or in a submenu of it
+    for (const auto& [name, item] : std::map(places.items.begin(), places.items.end())) {
+        if (!has(choice) && name.starts_with(groups))
+            moveTo({(item.left + item.right) / 2, (item.top + item.bottom) / 2});
+    }
     click(choice);
 }
 

@@ -7,11 +7,14 @@
 #include "app/ui/widgets/theme.h"
 
 #include <algorithm>
+#include <span>
 
 namespace texplorer::ui {
 namespace {
 
 constexpr std::size_t maxSegments = 8;
+/// How many choices a list shows at once: of a longer one, each group after the first is a submenu.
+constexpr std::size_t maxListed = 40;
 
 /// The name of a row's choice in this place.
 std::string nameOfChoice(const Session& session, const Owner& owner, const ParamRow& row,
@@ -54,11 +57,7 @@ bool listOfChoices(const Session& session, const Owner& owner, const ParamRow& r
     float names = 0;
     for (const EnumRow& choice : row.choices)
         names = std::max(names, textWidth(nameOfChoice(session, owner, row, choice)));
-    std::string_view group;
-    for (const EnumRow& choice : row.choices) {
-        if (choice.group != group)
-            caption(choice.group);
-        group = choice.group;
+    const auto drawChoice = [&](const EnumRow& choice) {
         const std::string name = nameOfChoice(session, owner, row, choice);
         const bool isCurrent = choice.value == value.number;
         if (ImGui::Selectable(label(fmt::format("{}##{}", name, choice.name)).c_str(), isCurrent)) {
@@ -75,6 +74,22 @@ bool listOfChoices(const Session& session, const Owner& owner, const ParamRow& r
             dimText(other);
             ImGui::PopFont();
         }
+    };
+    for (std::span<const EnumRow> rest = row.choices; !rest.empty();) {
+        const std::string_view group = rest.front().group;
+        const auto end = std::ranges::find_if(rest, [&](const EnumRow& each) { return each.group != group; });
+        const auto choices = rest.first(static_cast<std::size_t>(end - rest.begin()));
+        const bool isMenu = row.choices.size() > maxListed && rest.data() != row.choices.data();
+        rest = rest.subspan(choices.size());
+        const bool isOpen = !isMenu || ImGui::BeginMenu(label(group).c_str());
+        if (isMenu)
+            noteItem(fmt::format("{}#group {}", path, group));
+        else if (!group.empty())
+            caption(group);
+        if (isOpen)
+            std::ranges::for_each(choices, drawChoice);
+        if (isMenu && isOpen)
+            ImGui::EndMenu();
     }
     ImGui::PopStyleColor();
     ImGui::EndCombo();

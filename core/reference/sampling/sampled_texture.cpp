@@ -160,6 +160,9 @@ Result<SampledTexture> sampledTexture(const Texture& texture, const TextureLevel
     if (levels.driverFormat)
         notes.push_back(Sentence("drivers compress differently: compressed to {0} by Texplorer's encoder",
                                  ProperName{rowOf(*levels.driverFormat).name}));
+    if (isGenericCompressed(sampled.internalFormat))
+        notes.push_back(Sentence("drivers choose what {0} is stored as: drawn without compression",
+                                 ProperName{rowOf(sampled.internalFormat).name}));
     const auto isOdd = [](const Level& level) {
         return !arePowersOfTwo(level.width, level.height, level.depth);
     };

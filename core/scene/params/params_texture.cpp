@@ -36,8 +36,8 @@ constexpr std::array textureRows{
         "border", N_("Image"), N_("Border"),
         "glTexImage{n}D({image}, level, internalFormat, {extents}, {}, format, GL_UNSIGNED_BYTE, pixels)",
         N_("1: a ring of texels replaces the border colour: the outer ring of an image with "
-           "sides of 2^k + 2 texels; otherwise, and for files with levels, its edge."),
-        {0, 1, 0.02F, {}}),
+           "sides of 2^k + 2 texels, else its edge. 2 is GL_INVALID_VALUE."),
+        {0, 2, 0.02F, {}}),
     param<&Texture::compression>(
         "compression", N_("Compression"), N_("Compression"), "",
         N_("Whether 4 × 4 texels share one small block, and what makes the blocks. A compressed texture has "

@@ -6,6 +6,18 @@ namespace {
 using enum Severity;
 
 constexpr std::array formatRows{
+    Mistake{"OrderAsInternalFormat", "format-refused", Error, "textures[0].internalFormat",
+            "GL_INVALID_VALUE: GL_BGR is not an internal format",
+            [](Subject& s) { s.texture().internalFormat = InternalFormat::Bgr; }},
+    Mistake{"RefusedFormatUnlessCompressed", "format-refused", Error, "textures[0].internalFormat",
+            "5 is not an internal format",
+            [](Subject& s) { s.texture().internalFormat = InternalFormat::Components5; },
+            [](Subject& s) { s.texture().compression = Compression::Cached; }},
+    Mistake{"BorderOfTwo", "border-refused", Error, "textures[0].border",
+            "borders of 0 and 1 texels, not of 2", [](Subject& s) { s.texture().border = 2; }},
+    Mistake{"DriversChoice", "drivers-choice", Note, "textures[0].internalFormat",
+            "what GL_COMPRESSED_RGB is stored as",
+            [](Subject& s) { s.texture().internalFormat = InternalFormat::CompressedRgb; }},
     Mistake{"Bands", "banding", Note, "textures[0].internalFormat", "GL_RGB4 has at most 16 steps",
             [](Subject& s) {
                 s.showGreys(true);

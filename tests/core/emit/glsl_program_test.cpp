@@ -102,6 +102,17 @@ TEST(GlslProgram, SwizzlesWhatTheCoreProfileHasNoFormatFor) {
     EXPECT_THAT(textOf(scene), HasSubstr("swizzle[] = {GL_ZERO, GL_ZERO, GL_ZERO, GL_ALPHA};"));
     scene.textures[0].internalFormat = InternalFormat::Rgba;
     EXPECT_THAT(textOf(scene), Not(HasSubstr("SWIZZLE")));
+    for (const auto& [format, name] : {std::pair{InternalFormat::Components1, "GL_R8,"},
+                                       std::pair{InternalFormat::Components4, "GL_RGBA8,"},
+                                       std::pair{InternalFormat::Luminance12Alpha4, "GL_RGBA16,"},
+                                       std::pair{InternalFormat::Rgb12, "GL_RGB12,"},
+                                       std::pair{InternalFormat::SluminanceAlpha, "GL_SRGB8_ALPHA8,"},
+                                       std::pair{InternalFormat::CompressedIntensity, "GL_COMPRESSED_RED,"},
+                                       std::pair{InternalFormat::CompressedSrgb, "GL_COMPRESSED_SRGB,"},
+                                       std::pair{InternalFormat::DepthComponent, "GL_DEPTH_COMPONENT24,"}}) {
+        scene.textures[0].internalFormat = format;
+        EXPECT_THAT(textOf(scene), HasSubstr(name));
+    }
 }
 
 TEST(GlslProgram, SaysWhatTheCoreProfileHasNot) {

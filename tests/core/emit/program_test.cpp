@@ -118,8 +118,12 @@ std::string expectedText(const Scene& scene, const Part& part) {
     const Result<std::string> value = getParam(scene, part.path);
     if (!value)
         return "no such parameter: " + part.path;
-    if (part.kind != Part::Kind::Number)
-        return *value;
+    if (part.kind != Part::Kind::Number) {
+        const EnumRow* format = findRow(internalFormatRows, *value);
+        const bool isSized =
+            format && part.text == rowOf(factsOf(static_cast<InternalFormat>(format->value)).sized).name;
+        return isSized ? part.text : *value; // of packed pixels the program names the bits
+    }
     std::istringstream numbers(*value);
     std::string number;
     for (int i = 0; i <= std::max(part.component, 0); ++i) {
@@ -244,6 +248,13 @@ TEST(EmittedTextures, NameTheTargetThatTheyAreShownAs) {
     EXPECT_THAT(all(scene), Contains("glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_S, GL_REPEAT);"));
     scene.textures[0].border = 1;
     EXPECT_THAT(upload(Target::Texture2D), HasSubstr("66, 66, 1, GL_RGBA")) << "the edge once more";
+    scene.textures[0].border = 2;
+    EXPECT_THAT(upload(Target::Texture2D), HasSubstr("66, 66, 2, GL_RGBA")) << "as OpenGL refuses it";
+    scene.textures[0].border = 0;
+    scene.textures[0].internalFormat = InternalFormat::Bgr;
+    EXPECT_THAT(upload(Target::Texture2D), HasSubstr("0, GL_BGR, 64, 64, 0, GL_RGBA"));
+    scene.textures[0].internalFormat = InternalFormat::Components3;
+    EXPECT_THAT(upload(Target::Texture2D), HasSubstr("0, 3, 64, 64, 0, GL_RGBA"));
 }
 
 TEST(EmittedTextures, AreComputedListedOrPacked) {

@@ -116,6 +116,22 @@ TEST(CallsThatOpenGlRefuses, AreNamed) {
               "the memory's type GL_UNSIGNED_SHORT_5_6_5 does not hold the components of GL_RGBA");
 }
 
+TEST(ArgumentsThatOpenGlRefuses, AreNamed) {
+    const TextureImage image = textureOf(ramp(2, 2), "PNG");
+    const TexturePictures pictures(std::make_shared<const TextureImage>(image));
+    Texture texture;
+    texture.internalFormat = InternalFormat::Bgra;
+    EXPECT_EQ(problemOf(texture, image), "GL_INVALID_VALUE: GL_BGRA is not an internal format");
+    EXPECT_THAT(planLevels(texture, pictures, Target::Texture2D).levels, IsEmpty());
+    texture.compression = Compression::Cached; // has another internal format
+    EXPECT_TRUE(prepareLevels(texture, image));
+    texture = {};
+    texture.border = 2;
+    EXPECT_EQ(problemOf(texture, image), "GL_INVALID_VALUE: OpenGL has borders of 0 and 1 texels, not of 2");
+    EXPECT_EQ(planLevels(texture, pictures, Target::Texture2D).refusal.english(),
+              "GL_INVALID_VALUE: OpenGL has borders of 0 and 1 texels, not of 2");
+}
+
 // What the program holds of the base: after the preparation, before GLU scales it.
 TEST(PlansOfUploads, HaveTheMemoryOfTheBase) {
     const TexturePictures pictures(std::make_shared<const TextureImage>(textureOf(ramp(5, 3), "PNG")));
