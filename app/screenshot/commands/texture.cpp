@@ -1,9 +1,11 @@
 // A texture of a scene as pictures: after each step of its preparation, and the levels that OpenGL is given.
 
+#include "app/screenshot/arguments/context_argument.h"
 #include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/outputs_apart.h"
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/commands/all_commands.h"
+#include "app/screenshot/gl/gl_module.h"
 #include "app/screenshot/output/json_text.h"
 #include "app/screenshot/output/output.h"
 #include "texplorer/base/sentence_format.h"
@@ -28,6 +30,8 @@ struct TextureOptions {
     int texture = 0;
     int step = -1;  ///< -1: none is asked for
     int level = -1; ///< likewise
+    bool fromDriver = false;
+    ContextArgument context;
     bool json = false;
 };
 
@@ -68,7 +72,68 @@ Result<Image> levelOf(const TextureOptions& options, Texture texture, const Text
     return toImage(std::move(found->surface).take());
 }
 
-Result<Image> pictureOf(const TextureOptions& options, OpenedScene& opened) {
+/// The first target that an enabled unit shows a texture with.
+std::optional<Target> targetOf(const Scene& scene, int texture) {
+    for (const Pass& pass : scene.passes) {
+        for (const Unit& unit : pass.units) {
+            if (pass.enabled && unit.enabled && unit.texture == texture)
+                return unit.target;
+        }
+    }
+    return std::nullopt;
+}
+
+/// The texture after OpenGL has drawn with it.
+Result<ReadTexture> readFromDriver(const TextureOptions& options, const OpenedScene& opened,
+                                   const view::ContextChoice& context) {
+    const std::optional<Target> target = targetOf(opened.scene, options.texture);
+    if (!target)
+        return fail(ErrorCode::NotFound,
+                    Sentence("no enabled unit shows textures[{0}]: the driver has none", options.texture),
+                    atOption("--from-driver"));
+    const auto studio = openStudio({}, {}, context);
+    if (!studio)
+        return fail(studio.error());
+    constexpr int side = 16; // of a picture that is not read
+    if (const auto drawn = (*studio)->draw(RendererKind::Fixed, {opened.scene, opened.images, 0, side, side});
+        !drawn)
+        return fail(drawn.error());
+    return (*studio)->read(static_cast<std::size_t>(options.texture), *target);
+}
+
+/// A level of the first face, decompressed, the row at t = 0 below.
+Result<Image> levelOf(const TextureOptions& options, const ReadTexture& read) {
+    const auto found = std::ranges::find(read.levels, std::max(options.level, 0), &TextureLevel::number);
+    if (found == read.levels.end())
+        return fail(
+            ErrorCode::OutOfRange,
+            Sentence("there is no level {0}: the driver has {1} of textures[{2}]", std::max(options.level, 0),
+                     Sentence::plural("{0} level", "{0} levels", read.stored.levels.size()), options.texture),
+            atOption("--level"));
+    return toImage(*found->surface);
+}
+
+nlohmann::ordered_json jsonOf(const view::StoredTexture& stored) {
+    auto levels = nlohmann::ordered_json::array();
+    for (const view::StoredLevel& level : stored.levels) {
+        auto bits = nlohmann::ordered_json::object();
+        for (std::size_t i = 0; i < level.bits.size(); ++i)
+            bits[std::string(view::storedComponents.at(i))] = level.bits.at(i);
+        nlohmann::ordered_json one{{"number", level.number}, {"width", level.width},
+                                   {"height", level.height}, {"depth", level.depth},
+                                   {"border", level.border}, {"internalFormat", level.internalFormat},
+                                   {"bits", std::move(bits)}};
+        if (level.bytes > 0)
+            one["bytes"] = level.bytes;
+        levels.push_back(std::move(one));
+    }
+    return {{"resident", stored.resident},
+            {"priority", stored.priority},
+            {"largest", stored.largest},
+            {"levels", std::move(levels)}};
+}
+
+Result<void> prepareScene(const TextureOptions& options, OpenedScene& opened) {
     if (static_cast<std::size_t>(options.texture) >= opened.scene.textures.size())
         return fail(ErrorCode::OutOfRange,
                     Sentence("there is no textures[{0}]: the scene has {1}", options.texture,
@@ -78,6 +143,10 @@ Result<Image> pictureOf(const TextureOptions& options, OpenedScene& opened) {
                         : atOption("--texture")); // of such a scene no number is right
     if (const auto loaded = opened.images.load(opened.scene); !loaded)
         return fail(loaded.error());
+    return {};
+}
+
+Result<Image> pictureOf(const TextureOptions& options, OpenedScene& opened) {
     const Texture& texture = opened.scene.textures[static_cast<std::size_t>(options.texture)];
     if (texture.source == SourceKind::LightDepth)
         opened.images.putLightDepth(
@@ -89,6 +158,11 @@ Result<Image> pictureOf(const TextureOptions& options, OpenedScene& opened) {
 ExitCode writeTexture(const TextureOptions& options) {
     if (options.json && isStandardOutput(options.out))
         return complain(standardOutputIsTaken("--json").value(), wrongCall);
+    const auto context = parseContext(options.context);
+    if (!context)
+        return complain(context.error(), wrongCall);
+    if (options.context.option->isGiven() && !options.fromDriver)
+        noteUnused("--context", "it concerns OpenGL, which only --from-driver uses");
     const auto output = openImageOutput(options.out, "PNG");
     if (!output)
         return output.error();
@@ -99,7 +173,16 @@ ExitCode writeTexture(const TextureOptions& options) {
             checkOutputsApart(std::array{NamedOutput{"--out", options.out}}, filesOf(options.scene, *opened));
         !apart)
         return complain(apart.error(), wrongCall);
-    Result<Image> picture = pictureOf(options, *opened);
+    if (const Result<void> prepared = prepareScene(options, *opened); !prepared)
+        return complain(inScene(options.scene, prepared.error()), statusOf(prepared.error()));
+    std::optional<ReadTexture> read;
+    if (options.fromDriver) {
+        Result<ReadTexture> found = readFromDriver(options, *opened, *context);
+        if (!found)
+            return complain(inScene(options.scene, found.error()), statusOf(found.error()));
+        read = *std::move(found);
+    }
+    Result<Image> picture = read ? levelOf(options, *read) : pictureOf(options, *opened);
     if (!picture)
         return complain(inScene(options.scene, picture.error()), statusOf(picture.error()));
     const TextureImage made = textureOf(greysOf(*std::move(picture)), {});
@@ -107,12 +190,14 @@ ExitCode writeTexture(const TextureOptions& options) {
         return complain(written.error());
     if (!options.json)
         return success;
-    const Result<void> printed =
-        print(documentText(nlohmann::ordered_json::array({{{"file", options.out},
-                                                           {"format", output->format->name},
-                                                           {"texture", options.texture},
-                                                           {"width", widthOf(made.surface(0, 0))},
-                                                           {"height", heightOf(made.surface(0, 0))}}})));
+    nlohmann::ordered_json result{{"file", options.out},
+                                  {"format", output->format->name},
+                                  {"texture", options.texture},
+                                  {"width", widthOf(made.surface(0, 0))},
+                                  {"height", heightOf(made.surface(0, 0))}};
+    if (read)
+        result["driver"] = jsonOf(read->stored);
+    const Result<void> printed = print(documentText(nlohmann::ordered_json::array({std::move(result)})));
     return printed ? success : complain(printed.error());
 }
 
@@ -138,6 +223,13 @@ void addTexture(CommandLine& line) {
                    "The mip level as uploaded to GL_TEXTURE_2D, but upright and decompressed; 0 is the "
                    "base.",
                    {.excludes = &step});
+    command.flag(
+        "--from-driver", options->fromDriver,
+        "The level as the driver returns it after drawing with it (glGetTexImage), with the row at t "
+        "= 0 at the bottom; --json adds what the driver stores: internal format and bits of each "
+        "level, residency, and the largest size that fits.",
+        {.excludes = &step});
+    addContextArgument(command, options->context);
     command.flag("--json", options->json,
                  "Print the result as JSON, for programs: output, format, texture, width and height.");
     command.footer(

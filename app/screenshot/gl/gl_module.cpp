@@ -195,7 +195,20 @@ public:
         Result<Image> image = found->second.read();
         if (!image)
             return fail(image.error());
+        if (kind == RendererKind::Fixed)
+            stored_ = std::move(frame->stored);
         return Frame{std::move(*image), std::move(frame->problems)};
+    }
+
+    Result<ReadTexture> read(std::size_t texture, Target target) override {
+        const auto renderer = renderers_.find(RendererKind::Fixed);
+        const auto stored = stored_.find({texture, target});
+        if (renderer == renderers_.end() || stored == stored_.end())
+            return fail(ErrorCode::NotFound, Sentence("it has not been drawn as {0}", rowOf(target).name),
+                        elementOf<&Scene::textures>(texture));
+        return renderer->second.readTexture(texture, target).map([&](std::vector<TextureLevel>&& levels) {
+            return ReadTexture{std::move(levels), *stored->second};
+        });
     }
 
 private:
@@ -203,6 +216,7 @@ private:
     view::Capabilities capabilities_;
     std::filesystem::path shaders_;
     std::map<RendererKind, render::SceneRenderer> renderers_;
+    std::map<std::pair<std::size_t, Target>, std::shared_ptr<const view::StoredTexture>> stored_;
 };
 
 Result<std::unique_ptr<Studio>> openContextStudio(const std::filesystem::path& shaders,

@@ -13,6 +13,7 @@
 #include "app/view/offered_renderers.h"
 #include "app/view/pretence.h"
 #include "app/view/size.h"
+#include "app/view/stored_texture.h"
 #include "texplorer/base/result.h"
 #include "texplorer/conform/pair.h"
 #include "texplorer/conform/renderer.h"
@@ -77,6 +78,12 @@ struct Shot {
     std::string context = {}; ///< see Studio; empty: none was needed
 };
 
+/// A texture as glGetTexImage returns it, and what OpenGL says of it.
+struct ReadTexture {
+    std::vector<TextureLevel> levels;
+    view::StoredTexture stored;
+};
+
 /// A context that stays, and its renderers, for many pictures one after the other: programs, textures and
 /// buffers that the next scene has, too, are not made anew. What it keeps is bounded, however many scenes it
 /// draws. Used on the thread that opened it.
@@ -96,6 +103,9 @@ public:
     /// compressed at run time, its progress and its stop. After an error the next request may be drawn.
     [[nodiscard]] virtual Result<Frame> draw(RendererKind renderer, const reference::DrawRequest& request,
                                              const LevelWork& work = {}) = 0;
+    /// What the driver has of a texture of the scene that fixed function drew last. Fails if no unit showed
+    /// it with this target.
+    [[nodiscard]] virtual Result<ReadTexture> read(std::size_t texture, Target target) = 0;
 };
 
 /// The module's entry points, found by these names.

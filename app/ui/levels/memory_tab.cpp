@@ -63,6 +63,25 @@ Sentence sumText(const Texture& texture, const LevelsSummary& summary) {
                : Sentence("{0} bytes in {1}, {2}", ProperName{bytes}, levels, format);
 }
 
+/// Short facts next to each other; what does not fit begins the next line.
+class FactLine {
+public:
+    void add(const Sentence& words, const char* name, const char* help) {
+        const float gap = ImGui::GetFontSize();
+        const float width = ImGui::CalcTextSize(tr(words).c_str()).x;
+        if (used_ > 0 && used_ + gap + width <= ImGui::GetContentRegionMax().x)
+            ImGui::SameLine(0, gap);
+        else
+            used_ = 0;
+        used_ += gap + width;
+        dimText(words);
+        item(name, help);
+    }
+
+private:
+    float used_ = 0;
+};
+
 /// The sum, compared with the base level and with an uncompressed texture.
 void drawSum(const Texture& texture, const LevelsSummary& summary) {
     const TextureReport& report = summary.report;
@@ -70,25 +89,50 @@ void drawSum(const Texture& texture, const LevelsSummary& summary) {
     text(sumText(texture, summary));
     ImGui::PopTextWrapPos();
     noteItem("memory:sum");
-    float used = 0; // of the line; what does not fit begins the next one
-    const auto fact = [&](const Sentence& words, const char* name, const char* help) {
-        const float gap = ImGui::GetFontSize();
-        const float width = ImGui::CalcTextSize(tr(words).c_str()).x;
-        if (used > 0 && used + gap + width <= ImGui::GetContentRegionMax().x)
-            ImGui::SameLine(0, gap);
-        else
-            used = 0;
-        used += gap + width;
-        dimText(words);
-        item(name, help);
-    };
-    fact(Sentence("{0:.3f} × base", report.ratioToBase), "memory:ratio",
-         N_("Each level of an image has a quarter of the texels of the level before, so a full chain has "
-            "about 4/3 of its base level."));
-    fact(Sentence("{0:.1f} % of RGBA8", 100 * report.shareOfRgba8), "memory:rgba8",
-         N_("The share of the memory of the same levels with four bytes a texel"));
-    fact(Sentence("{0:.1f} % of RGB8", 100 * report.shareOfRgb8), "memory:rgb8",
-         N_("The share of the memory of the same levels with three bytes a texel"));
+    FactLine line;
+    line.add(Sentence("{0:.3f} × base", report.ratioToBase), "memory:ratio",
+             N_("Each level of an image has a quarter of the texels of the level before, so a full chain has "
+                "about 4/3 of its base level."));
+    line.add(Sentence("{0:.1f} % of RGBA8", 100 * report.shareOfRgba8), "memory:rgba8",
+             N_("The share of the memory of the same levels with four bytes a texel"));
+    line.add(Sentence("{0:.1f} % of RGB8", 100 * report.shareOfRgb8), "memory:rgb8",
+             N_("The share of the memory of the same levels with three bytes a texel"));
+}
+
+/// What the driver stores of the bound texture; nullptr: OpenGL draws no picture of it.
+const view::StoredTexture* storedOf(const Session& session, const Pictures& pictures) {
+    const Unit& unit = selectedUnit(session);
+    for (const ViewFrame& view : pictures.frames) {
+        const auto found = view.frame.stored.find({static_cast<std::size_t>(unit.texture), unit.target});
+        if (view.side == view::Side::Now && found != view.frame.stored.end() &&
+            !found->second->levels.empty())
+            return found->second.get();
+    }
+    return nullptr;
+}
+
+/// What OpenGL says of the base level and of the object.
+void drawStored(const view::StoredTexture& stored, Target target) {
+    const view::StoredLevel& base = stored.levels.front();
+    ImGui::PushTextWrapPos(0);
+    text(Sentence("The driver stores {0}", view::storedText(base)));
+    ImGui::PopTextWrapPos();
+    item("memory:stored",
+         N_("glGetTexLevelParameteriv of the largest level: its internal format, and the bits "
+            "of red, green, blue, alpha, luminance, intensity and depth. A driver may store "
+            "more bits than it was asked for."));
+    FactLine line;
+    const std::string sides = target == Target::Texture1D   ? std::to_string(stored.largest)
+                              : target == Target::Texture3D ? fmt::format("{0} × {0} × {0}", stored.largest)
+                                                            : fmt::format("{0} × {0}", stored.largest);
+    line.add(
+        Sentence("up to {0} fit", ProperName{sides}), "memory:largest",
+        N_("The largest power of two for which a proxy texture of this format (GL_PROXY_TEXTURE_2D) has a "
+           "width: OpenGL says so without making the texture."));
+    line.add(
+        stored.resident ? N_("resident") : N_("not resident"), "memory:resident",
+        N_("GL_TEXTURE_RESIDENT: whether the texture is in the memory that drawing reads. Today's drivers "
+           "move textures when they are used; most always say yes and ignore GL_TEXTURE_PRIORITY."));
 }
 
 /// The next item, with this text, is at the right edge of its column.
@@ -192,6 +236,8 @@ void drawMemoryTab(const Session& session, const Pictures& pictures) {
         dimText("The levels are being made…");
         noteItem("memory:waiting");
     }
+    if (const view::StoredTexture* stored = storedOf(session, pictures))
+        drawStored(*stored, request->target);
     drawSentences(sentencesOf(session, pictures, summary.get()));
     if (summary && !summary->report.levels.empty())
         drawLevels(*summary, request->target);

@@ -66,7 +66,47 @@ class TexturePictures(Texshot):
             self.assertEqual(seen.getpixel((0, 0)), 255)  # outside the quad
             self.assertAlmostEqual(seen.getpixel((4, 4)), 255 * 20 / 19 * (1 - 1 / 6), delta=1)
 
+    def shown(self, **texture):
+        file = self.scene(**texture)
+        scene = json.loads(file.read_text())
+        file.write_text(json.dumps({**scene, "passes": [{"units": [{"enabled": True}]}]}))
+        return file
+
+    def from_driver(self, *options, **texture):
+        answer = json.loads(
+            self.succeeds(
+                "texture", self.shown(**texture), "--from-driver", "--json", "-o", self.path / "out.png", *options
+            )
+        )
+        return Image.open(self.path / "out.png"), answer["results"][0]["driver"]
+
+    def test_what_the_driver_stores(self):
+        picture, driver = self.from_driver(internalFormat="GL_RGBA4")
+        rounded = self.original.point(lambda byte: round(byte * 15 / 255) * 17)
+        self.assert_near(picture.convert("RGB"), rounded, 0)
+        self.assertEqual([level["number"] for level in driver["levels"]], [0])
+        base = driver["levels"][0]
+        self.assertEqual((base["width"], base["height"], base["internalFormat"]), (16, 8, "GL_RGBA4"))
+        self.assertTrue(all(base["bits"][name] >= 4 for name in ("red", "green", "blue", "alpha")))
+        self.assertGreaterEqual(driver["largest"], 64)
+        self.assertIn(driver["resident"], (True, False))
+
+    def test_luminance_is_returned_as_red(self):  # OpenGL 2.1, section 6.1.4
+        picture, driver = self.from_driver(internalFormat="1")
+        self.assertEqual(picture.getchannel("R").tobytes(), self.original.getchannel("R").tobytes())
+        self.assertEqual(picture.getchannel("G").getextrema(), (0, 0))
+        self.assertGreaterEqual(driver["levels"][0]["bits"]["luminance"], 8)
+
+    def test_levels_of_the_driver(self):
+        picture, driver = self.from_driver("--level", "2", mipmaps="glGenerateMipmap", internalFormat="GL_RGB")
+        self.assertEqual(picture.size, (4, 2))
+        self.assertEqual([level["width"] for level in driver["levels"]], [16, 8, 4, 2, 1])
+        self.complains(2, "--level: there is no level 9", "texture", self.shown(), "--from-driver", "-o", "-", "--level", "9")
+
     def test_wrong_calls(self):
+        self.complains(1, "no enabled unit shows textures[0]", "texture", self.scene(), "--from-driver", "-o", "-")
+        refused = self.shown(internalFormat="GL_BGR")
+        self.complains(1, "GL_INVALID_VALUE", "texture", refused, "--from-driver", "-o", "-")
         scene = self.scene(mipmaps="given", levels=[{"source": "file", "file": "gone.png"}])
         self.complains(1, "textures[0].levels[0].file", "texture", scene, "-o", "-")
         self.complains(2, "--texture: there is no textures[1]", "texture", self.scene(), "-o", "-", "--texture", "1")
