@@ -12,6 +12,7 @@
 #include "texplorer/scene/params/param_listing.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/scene/params/params.h"
+#include "texplorer/scene/storage/obj_scene.h"
 #include "texplorer/scene/storage/scene_file.h"
 
 #include <fmt/format.h>
@@ -47,6 +48,8 @@ std::size_t maxBytesOf(const std::string& path) {
 }
 
 Result<std::string> readSceneInput(const std::string& path) {
+    if (isObjName(path))
+        return readSceneText(path);
     const Result<Bytes> file = readInput(path, maxBytesOf(path));
     if (!file)
         return fail(file.error());
@@ -166,7 +169,8 @@ Result<lesson::LessonFolder> lessonFolder(const std::string& name) {
 
 const Option& addSceneArgument(Command& command, SceneArgument& argument, std::vector<std::string>* files) {
     constexpr const char* help =
-        "A scene file (JSON), or a PNG drawn by texshot, which contains its scene; - for standard input. "
+        "A scene file (JSON), a PNG drawn by texshot, which contains its scene, or an OBJ file of meshes; - for "
+        "standard input. "
         "Default: Texplorer's start scene, a cube and a sphere.";
     const Option& file = files ? command.option("SCENE", *files, help + std::string(" There may be several."))
                                : command.option("SCENE", argument.file, help);

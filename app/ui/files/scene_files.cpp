@@ -11,6 +11,7 @@
 #include "texplorer/files/file_io.h"
 #include "texplorer/lesson/example.h"
 #include "texplorer/scene/params/json.h"
+#include "texplorer/scene/storage/obj_scene.h"
 #include "texplorer/scene/storage/scene_file.h"
 #include "texplorer/scene/storage/scene_link.h"
 
@@ -165,16 +166,18 @@ Result<void> openScene(Session& session, const fs::path& path) {
         return fail(read.error());
     const fs::path file = absolutePath(path);
     rememberFile(session.settings, file);
-    const bool isPicture = isPictureWithScene(file);
+    const bool isObj = isObjName(file);
+    const bool isSource = isObj || isPictureWithScene(file); // the scene becomes another file
     fs::path suggested = file;
     suggested.replace_extension(sceneExtension);
     start(session, {.kind = Load::Kind::Scene,
-                    .path = isPicture ? fs::path() : file,
+                    .path = isSource ? fs::path() : file,
+                    .goesOn = isObj, // without images that aren't there
                     .scene = std::move(read->scene),
                     .before = session.document.scene,
                     .images = ImageSource(file.parent_path()),
                     .fileHash = std::move(read->hash),
-                    .suggested = isPicture ? std::move(suggested) : fs::path()});
+                    .suggested = isSource ? std::move(suggested) : fs::path()});
     return {};
 }
 
@@ -258,7 +261,7 @@ Result<bool> holdsScene(const fs::path& path) {
         return fail(start.error());
     if (recogniseImage(*start))
         return false;
-    if (path.extension() == ".json")
+    if (path.extension() == ".json" || isObjName(path))
         return true;
     const auto isSpace = [](std::byte each) {
         return each == std::byte{' '} || each == std::byte{'\n'} || each == std::byte{'\r'} ||

@@ -13,6 +13,7 @@
 #include "app/ui/window/dialog_parts.h"
 #include "texplorer/codec/registry.h"
 #include "texplorer/scene/params/json.h"
+#include "texplorer/scene/storage/obj_scene.h"
 #include "texplorer/scene/storage/scene_file.h"
 #include "texplorer/suite/suite.h"
 #include "texplorer/text/printable.h"
@@ -82,7 +83,7 @@ bool maybeScene(const std::filesystem::path& file) {
     constexpr std::size_t firstChunks = 32;
     const std::string name = file.filename().string();
     return name.ends_with(".json") ? !name.ends_with(suite::suiteExtension)
-                                   : isPictureWithScene(file, firstChunks);
+                                   : isObjName(file) || isPictureWithScene(file, firstChunks);
 }
 
 void beginBrowsing(DialogsState& state, const Session& session, const BrowserRow& row) {
@@ -93,7 +94,7 @@ void beginBrowsing(DialogsState& state, const Session& session, const BrowserRow
     const std::filesystem::path name = row.name ? row.name(session) : std::string();
     beginBrowsing(state.browser, row.title,
                   row.thumbnails ? imageExtensions()
-                  : opens        ? std::vector<std::string>{".json", ".png"}
+                  : opens        ? std::vector<std::string>{".json", ".png", ".obj"}
                           : std::vector{name.empty() ? std::string(".json") : name.extension().string()},
                   row.saving, document.file.empty() ? document.suggested : document.file,
                   opens ? maybeScene : nullptr);

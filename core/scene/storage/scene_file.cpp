@@ -4,6 +4,7 @@
 #include "texplorer/codec/png/png_text.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/scene/params/json.h"
+#include "texplorer/scene/storage/obj_scene.h"
 
 #include <algorithm>
 #include <array>
@@ -40,6 +41,18 @@ Result<std::string> sceneTextIn(ByteView file) {
 }
 
 Result<std::string> readSceneText(const std::filesystem::path& file) {
+    if (isObjName(file)) {
+        const Result<Scene> scene = readObjScene(file);
+        if (!scene)
+            return fail(scene.error());
+        std::string text = writeScene(*scene);
+        if (text.size() > maxSceneBytes)
+            return fail(
+                ErrorCode::TooLarge,
+                Sentence("as a scene it takes {0} bytes; at most {1} are read", text.size(), maxSceneBytes),
+                inFile(file.string()));
+        return text;
+    }
     const Result<Bytes> start = readFileStart(file, pngSignature.size());
     if (!start)
         return fail(start.error());

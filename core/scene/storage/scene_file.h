@@ -20,7 +20,7 @@ inline constexpr const char* sceneKeyword = N_("Texplorer scene");
 /// files. Errors: NotFound for a PNG without scene; Malformed, TooLarge. `where` is empty.
 [[nodiscard]] Result<std::string> sceneTextIn(ByteView file);
 
-/// The same for a file on disk, which is named in `where`.
+/// The same for a file on disk, which is named in `where`; of an OBJ file the scene of its models.
 [[nodiscard]] Result<std::string> readSceneText(const std::filesystem::path& file);
 
 /// Whether a file is a PNG with a scene text, valid or not, among its first chunks. Reads little more than

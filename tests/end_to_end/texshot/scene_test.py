@@ -1,9 +1,12 @@
 """texshot scene: a scene as a file, complete or minimal."""
 
 import json
+import math
 import shlex
 import subprocess
 import unittest
+
+from PIL import Image, ImageChops
 
 from texshot import TEXSHOT, Texshot, bmp, results, single, texshot
 
@@ -132,6 +135,40 @@ class Scene(Texshot):
         ]:
             with self.subTest(expected):
                 self.complains(code, expected, *call)
+
+
+class ObjFiles(Texshot):
+    """A file of meshes is a scene: a square of it is that of the scene that says the same."""
+
+    square = "mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+    face = "usemtl paint\nf 1/1 2/2 3/3 4/4\n"
+
+    def test_are_drawn_like_the_scene_that_says_the_same(self):
+        (self.path / "paint.bmp").write_bytes(bmp(8, 8, lambda x, y: (x * 30, y * 30, 99)))
+        (self.path / "square.mtl").write_text("newmtl paint\nmap_Kd paint.bmp\n")
+        (self.path / "square.obj").write_text(self.square + self.face)
+        scene = json.loads(self.succeeds("scene"))
+        size = 2 / math.sqrt(2)  # the corners are 2 from the middle
+        texture = {**scene["textures"][0], "source": "file", "file": "paint.bmp"}
+        passes = [{**scene["passes"][0], "models": [0]}]
+        quad = {**scene, "models": [{"shape": "quad", "size": size}], "textures": [texture], "passes": passes}
+        (self.path / "quad.json").write_text(json.dumps(quad))
+        for renderer in ("fixed", "reference"):
+            pictures = []
+            for name in ("square.obj", "quad.json"):
+                out = self.path / (name + ".png")
+                self.succeeds("shot", self.path / name, "--renderer", renderer, "--size", "120x90", "-o", out)
+                pictures.append(Image.open(out).convert("RGB"))
+            self.assertLessEqual(max(high for _, high in ImageChops.difference(*pictures).getextrema()), 1, renderer)
+            self.assertGreater(len(pictures[0].getcolors(10000)), 20, "it is there")
+
+    def test_say_what_is_wrong(self):
+        (self.path / "wrong.obj").write_text(self.square + "f 1 2 7\n")
+        self.complains(1, "wrong.obj: polygon 1: expected v from 1 to 4, found 7", "scene", self.path / "wrong.obj")
+        (self.path / "square.obj").write_text(self.square + self.face)  # without its library
+        self.assertEqual(json.loads(self.succeeds("scene", self.path / "square.obj"))["models"][0]["shape"], "mesh")
+        (self.path / "square.mtl").write_text("newmtl paint\nmap_Kd gone.png\n")
+        self.complains(1, "gone.png", "shot", self.path / "square.obj", "-o", self.path / "x.png")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,123 @@
+#include "texplorer/base/sentence_format.h"
+#include "texplorer/files/file_io.h"
+#include "texplorer/mesh/obj_file.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <string>
+
+namespace texplorer::obj_file_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr std::string_view library =
+    "newmtl wood\nKd 0.5 0.25 1\nd 0.5\nmap_Kd images\\wood.png\nnewmtl plain\n";
+
+Result<ObjFile> decoded(std::string_view text, std::size_t maxParts = 16) {
+    const auto materials = [](const std::string& name) {
+        return name == "a.mtl" ? std::optional(std::string(library)) : std::nullopt;
+    };
+    return decodeObj(viewBytes(text), materials, maxParts);
+}
+std::string problemOf(std::string_view text, std::size_t maxParts = 16) {
+    const Result<ObjFile> read = decoded(text, maxParts);
+    return read ? "none" : describe(read.error()).english();
+}
+
+constexpr std::string_view square = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+
+TEST(ObjFiles, HaveVerticesWithCoordinatesAndNormals) {
+    const Result<ObjFile> read =
+        decoded(std::string(square) + "vn 0 0 2\no board\nf 1/1/1 2/2/1 3/3/1 4/4/1\n");
+    ASSERT_TRUE(read) << describe(read.error());
+    ASSERT_EQ(read->parts.size(), 1U);
+    EXPECT_EQ(read->parts[0].name, "board");
+    const MeshData& mesh = read->parts[0].mesh;
+    EXPECT_THAT(mesh.positions,
+                ElementsAre(glm::vec3(0), glm::vec3(2, 0, 0), glm::vec3(2, 2, 0), glm::vec3(0, 2, 0)));
+    EXPECT_THAT(mesh.texCoords, ElementsAre(glm::vec4(0, 0, 0, 1), glm::vec4(1, 0, 0, 1),
+                                            glm::vec4(1, 1, 0, 1), glm::vec4(0, 1, 0, 1)));
+    EXPECT_THAT(mesh.normals, testing::Each(glm::vec3(0, 0, 1)));
+    EXPECT_THAT(mesh.indices, ElementsAre(0, 1, 2, 0, 2, 3)) << "a fan";
+}
+
+TEST(ObjFiles, CountFromTheEndWithNegativeNumbers) {
+    const Result<ObjFile> read = decoded(std::string(square) + "f -4/-4 -3/-3 -2/-2\n");
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(read->parts[0].mesh.positions[2], glm::vec3(2, 2, 0));
+    EXPECT_EQ(read->parts[0].mesh.texCoords[1], glm::vec4(1, 0, 0, 1));
+}
+
+TEST(ObjFiles, WithoutCoordinatesAndNormalsGetNormalsAlone) {
+    const Result<ObjFile> read = decoded(std::string(square) + "v 0 0 -2\nf 1 2 3 4\nf 1 5 2\n");
+    ASSERT_TRUE(read) << describe(read.error());
+    const MeshData& mesh = read->parts[0].mesh;
+    EXPECT_TRUE(mesh.texCoords.empty());
+    ASSERT_EQ(mesh.positions.size(), 5U);
+    EXPECT_EQ(mesh.normals[2], glm::vec3(0, 0, 1));
+    // The square's two triangles at (0, 0, 0), 4 + 4 along z, and one of 4 along -y.
+    EXPECT_NEAR(mesh.normals[0].z, 8 / std::sqrt(80.0F), 1e-6F);
+    EXPECT_NEAR(mesh.normals[0].y, -4 / std::sqrt(80.0F), 1e-6F);
+}
+
+TEST(ObjFiles, HaveAPartForEachObjectAndMaterial) {
+    const std::string text = "mtllib a.mtl\n" + std::string(square) +
+                             "o one\nusemtl wood\nf 1 2 3\nusemtl plain\nf 1 3 4\no two\nf 1 2 4\n";
+    const Result<ObjFile> read = decoded(text);
+    ASSERT_TRUE(read) << describe(read.error());
+    ASSERT_EQ(read->parts.size(), 3U);
+    EXPECT_EQ(read->parts[2].name, "two");
+    const ObjMaterial& wood = read->materials[static_cast<std::size_t>(read->parts[0].material)];
+    EXPECT_EQ(wood.color, glm::vec4(0.5F, 0.25F, 1, 0.5F));
+    EXPECT_EQ(wood.image, "images/wood.png");
+    EXPECT_EQ(read->parts[1].material, read->parts[2].material);
+
+    const Result<ObjFile> merged = decoded(text, 2);
+    ASSERT_TRUE(merged) << describe(merged.error());
+    EXPECT_EQ(merged->parts.size(), 2U) << "one for each material";
+    EXPECT_THAT(merged->notes, ElementsAre(testing::Property(&Sentence::english, HasSubstr("3 objects"))));
+    EXPECT_EQ(problemOf(text, 1), "it needs 2 models; a scene has at most 1");
+}
+
+TEST(ObjFiles, OfManyVerticesHaveSeveralParts) {
+    std::string text;
+    const std::size_t triangles = maxMeshVertices / 3 + 10;
+    for (std::size_t i = 0; i < triangles; ++i) {
+        const std::string x = std::to_string(i);
+        text += "v " + x + " 0 0\nv " + x + " 1 0\nv " + x + " 1 1\nf -3 -2 -1\n";
+    }
+    const Result<ObjFile> read = decoded(text);
+    ASSERT_TRUE(read) << describe(read.error());
+    ASSERT_EQ(read->parts.size(), 2U);
+    EXPECT_LE(read->parts[0].mesh.positions.size(), maxMeshVertices);
+    EXPECT_EQ(read->parts[0].mesh.indices.size() + read->parts[1].mesh.indices.size(), 3 * triangles);
+}
+
+TEST(ObjFiles, ThatAreWrongSayWhere) {
+    EXPECT_EQ(problemOf(std::string(square) + "f 1 2 3\nf 1 2 9\n"),
+              "polygon 2: expected v from 1 to 4, found 9");
+    EXPECT_EQ(problemOf(std::string(square) + "f 1/1 2/7 3/3\n"),
+              "polygon 1: expected vt from 1 to 4, found 7");
+    EXPECT_EQ(problemOf(std::string(square) + "f 1//1 2//1 3//1\n"),
+              "polygon 1: expected vn from 1 to 0, found 1");
+    EXPECT_EQ(problemOf(std::string(square) + "f 0 1 2\n"), "polygon 1: expected v from 1 to 4, found 0");
+    EXPECT_THAT(problemOf("v 1e999 0 0\nf 1 1 1\n"), testing::AnyOf(HasSubstr("not finite"), "none"));
+    for (const std::string_view text :
+         {"", "v 0 0 0\n", "f 1 2\n", "hello\n", "mtllib b.mtl\n", "f\n", "f //\n"})
+        EXPECT_NE(problemOf(text), "none") << text;
+}
+
+// The library reads the first material of what it was given.
+TEST(ObjFiles, WithAnEmptyLibraryOfMaterialsAreRead) {
+    const auto none = [](const std::string&) { return std::optional(std::string()); };
+    const std::string text = "mtllib empty.mtl\n" + std::string(square) + "usemtl x\nf 1 2 3\n";
+    const Result<ObjFile> read = decodeObj(viewBytes(text), none, 16);
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(read->materials[0].image, "");
+}
+
+} // namespace
+} // namespace texplorer::obj_file_test
