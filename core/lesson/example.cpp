@@ -34,6 +34,9 @@ constexpr std::array exampleRows{
     Example{
         "internal-formats.json", N_("Few bits, and sRGB"),
         N_("A smooth image with 8 and with 4 bits a component; below as sRGB, and with 3, 3 and 2 bits.")},
+    Example{
+        "packed-pixels.json", N_("Packed pixels"),
+        N_("One image in four layouts of memory: 5 6 5, 4 4 4 4 and 3 3 2 bits, and bytes with blue first.")},
     Example{"levels.json", N_("An image for each level"),
             N_("Mip levels from separate images, which shows where each level is sampled.")},
     Example{"environment.json", N_("Environment map"), N_("GL_SPHERE_MAP: the surface reflects an image.")},

@@ -29,6 +29,7 @@ void drawSpiral(int width, int height);
 void drawQuadrics(int width, int height);
 void drawEarthNearest(int width, int height);
 void drawEarthLinear(int width, int height);
+void drawPackedPixels(int width, int height);
 void drawNeheNoBumps(int width, int height);
 void drawNeheBumpsOneUnit(int width, int height);
 void drawNeheBumpsTwoUnits(int width, int height);
