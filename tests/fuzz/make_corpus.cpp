@@ -4,6 +4,7 @@
 #include "tests/support/sample_jpegs.h"
 #include "tests/support/sample_textures.h"
 #include "texplorer/files/file_io.h"
+#include "texplorer/gl/transfer.h"
 #include "texplorer/scene/params/json.h"
 #include "texplorer/scene/params/params.h"
 #include "texplorer/suite/record_json.h"
@@ -89,7 +90,7 @@ bool makeCorpus(const std::filesystem::path& folder) {
     std::error_code error; // a missing folder is reported when a file is written
     for (const CodecRow& row : codecRows())
         std::filesystem::create_directories(folder / row.name, error);
-    for (const std::string_view name : {"codecs", "flip", "param", "scene", "suite"})
+    for (const std::string_view name : {"codecs", "flip", "obj", "param", "scene", "suite", "upload"})
         std::filesystem::create_directories(folder / name, error);
     bool good = true;
     for (const CodecRow& row : codecRows())
@@ -104,6 +105,18 @@ bool makeCorpus(const std::filesystem::path& folder) {
                 std::to_string(format) + "-" + std::to_string(flip) + "-" + std::to_string(height);
             good = write(folder / "flip", name, viewBytes(input)) && good;
         }
+    good =
+        write(folder / "obj", "0",
+              viewBytes("mtllib a.mtl\nv 0 0 0\nv 1 0 0 1\nv 1e1 -1.5 0\nvt 0 1\nvn 0 0 1\no a b\nusemtl m\n"
+                        "f 1/1/1 2//1 3/1 1\nf -1 -2 -3\ng c\nl 1 2\nnewmtl m\nKd 1 0.5 0\nd 0.5\n"
+                        "map_Kd -s 1 2 3 a\\b.png\n")) &&
+        good;
+    for (std::size_t type = 0; type < transferTypeRows.size(); ++type) { // see fuzz_upload.cpp
+        std::string input{
+            char(type % transferFormatRows.size()), char(type), 4, char(type % 2), 0, 0, 1, 3, 2, 0};
+        input += "the bytes of some pixels in memory";
+        good = write(folder / "upload", std::to_string(type), viewBytes(input)) && good;
+    }
     const std::vector<Scene> scenes = sampleScenes();
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         good = write(folder / "scene", std::to_string(i), viewBytes(writeScene(scenes[i]))) && good;

@@ -23,7 +23,7 @@ choose() {
     fi
     local words=-dict=$build/seeds/words.dict
     case $1 in
-        flip) fuzzer=("$bin/fuzz_flip") ;;
+        flip | obj | upload) fuzzer=("$bin/fuzz_$1") ;;
         param | scene | suite) fuzzer=("$bin/fuzz_$1" "$words") ;;
         codecs) fuzzer=("$bin/fuzz_codec") ;; # every input goes to every decoder
         *) fuzzer=("$bin/fuzz_codec" "--codec=$1") ;;
