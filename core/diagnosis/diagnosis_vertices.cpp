@@ -200,6 +200,12 @@ Sentence leftOutSentence(const Scene& scene, std::size_t m, std::size_t u) {
     const std::optional<SentVertex> first = firstWithoutCall(sent, u);
     if (!first)
         return {};
+    const auto hasCoords = [u](const SentVertex& each) { return each.coordsOf[u].has_value(); };
+    if (std::ranges::none_of(sent, hasCoords))
+        return u == 0 ? Sentence(N_("no vertex has a glTexCoord: all show the colour at (0, 0)"))
+                      : Sentence("no vertex has coordinates of unit {0}, and all show the colour at (0, 0): "
+                                 "glTexCoord sends those of unit 0, also after glActiveTexture",
+                                 u);
     const Sentence sentence =
         first->coordsOf[u]
             ? Sentence("vertex {0} has no glTexCoord: it shows the colour at the coordinates of "
@@ -209,6 +215,26 @@ Sentence leftOutSentence(const Scene& scene, std::size_t m, std::size_t u) {
                        "colour at (0, 0)",
                        first->vertex);
     return andMore(sentence, model.noTexCoord[u].size() - 1);
+}
+
+/// Sends them, or has the unit's texture on unit 0, where that is off.
+std::vector<Fix> coordFixes(const Scene& scene, const std::string& path, std::size_t u) {
+    Fix moved{N_("Use unit 0"), {}};
+    bool isFree = u > 0;
+    for (std::size_t p = 0; p < scene.passes.size(); ++p) {
+        const Pass& pass = scene.passes[p];
+        if (!pass.enabled || !pass.units[u].enabled)
+            continue;
+        isFree = isFree && !pass.units.front().enabled;
+        const std::string first = unitPath(p, 0);
+        moved.assignments.push_back({first + keyOf<&Unit::texture>(), std::to_string(pass.units[u].texture)});
+        moved.assignments.push_back({first + keyOf<&Unit::enabled>(), "true"});
+        moved.assignments.push_back({unitPath(p, u) + keyOf<&Unit::enabled>(), "false"});
+    }
+    std::vector<Fix> fixes{{u == 0 ? N_("Send glTexCoord") : N_("Send glMultiTexCoord"), {{path, ""}}}};
+    if (isFree)
+        fixes.push_back(std::move(moved));
+    return fixes;
 }
 
 /// Where it has key frames, their values are drawn, and no single value is a fix.
@@ -229,7 +255,7 @@ void noTexCoord(const Case& about, Report& report) {
             }
             if (const Sentence sentence = moves ? Sentence() : leftOutSentence(about.scene, m, u);
                 !sentence.empty())
-                report.add(path, sentence, Fix{N_("Send glTexCoord"), {{path, ""}}});
+                report.add(path, sentence, coordFixes(about.scene, path, u));
         }
     }
 }

@@ -1,8 +1,10 @@
 #include "texplorer/preset/preset.h"
 
 #include "texplorer/preset/preset_rows.h"
+#include "texplorer/scene/show_shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -52,6 +54,17 @@ void takeGivenCoordinates(Unit& unit, Target target) {
     unit.target = target;
     unit.matrix.clear();
     unit.matrixStart = MatrixStart::Identity;
+}
+
+Model& showSquare(Scene& scene) {
+    constexpr std::array square{Shape::Quad};
+    showOnlyShapes(scene, square);
+    Model& model = *std::ranges::find(scene.models, Shape::Quad, &Model::shape);
+    View& view = scene.view;
+    view.azimuth = view.elevation = view.roll = 0;
+    view.target = model.position;
+    view.distance = 3.6F;
+    return model;
 }
 
 Result<std::size_t> freeUnit(const PresetTarget& target) {

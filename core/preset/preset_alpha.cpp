@@ -59,12 +59,7 @@ Result<void> cutOut(const PresetTarget& target) {
     target.unit.envMode = EnvMode::Replace;
     target.texture.wrapS = target.texture.wrapT = Wrap::ClampToEdge;
     testAlpha(target.pass);
-    constexpr std::array quad{Shape::Quad};
-    showOnlyShapes(target.scene, quad);
-    View& view = target.scene.view;
-    view.azimuth = view.elevation = view.roll = 0;
-    view.target = std::ranges::find(target.scene.models, Shape::Quad, &Model::shape)->position;
-    view.distance = 3.6F;
+    showSquare(target.scene);
     return {};
 }
 

@@ -72,6 +72,32 @@ Result<void> seamCure(const PresetTarget& target) {
     return {};
 }
 
+/// The middle one of the faces, of 128 x 128 texels, in levels from that of 8 x 8 texels on. `inset`: in
+/// texels of the image.
+void showTile(const PresetTarget& target, float inset) {
+    showPattern(target.texture, Pattern::CubeFaces);
+    filterTrilinear(target.texture);
+    target.texture.baseLevel = 4;
+    takeGivenCoordinates(target.unit);
+    target.unit.envMode = EnvMode::Replace;
+    const glm::vec2 image{512, 384};
+    const glm::vec2 low = (glm::vec2(128) + inset) / image;
+    const glm::vec2 high = (glm::vec2(256) - inset) / image;
+    showSquare(target.scene).texCoords[target.place.unit] = {
+        {low.x, low.y, 0, 1}, {high.x, low.y, 0, 1}, {high.x, high.y, 0, 1}, {low.x, high.y, 0, 1}};
+}
+
+Result<void> atlas(const PresetTarget& target) {
+    showTile(target, 0);
+    return {};
+}
+
+Result<void> atlasCure(const PresetTarget& target) {
+    showTile(target, 8); // half a texel of the base level
+    target.texture.maxLevel = target.texture.baseLevel;
+    return {};
+}
+
 Result<void> colouredLevels(const PresetTarget& target) {
     showTrilinearFloor(target);
     target.texture.mipmaps = MipPolicy::Colored;
@@ -107,6 +133,17 @@ constexpr std::array filterRows{
            N_("GL_CLAMP_TO_EDGE for the texture of this unit."),
            N_("The seam is gone: the outermost texels continue, and the border colour is never read."),
            seamCure},
+    Preset{
+        "atlas-bleeding", filterGroup, N_("Bleeding tiles"),
+        N_("One tile, of 8 × 8 texels, of an image of several, with GL_LINEAR and mipmaps. Its coordinates "
+           "reach its edges."),
+        N_("The edges take on colours of the tiles around: GL_LINEAR mixes them in within half a texel, and "
+           "the texels of each smaller level are twice as wide."),
+        atlas},
+    Preset{"atlas-bleeding-cure", filterGroup, N_("Bleeding tiles, cured"),
+           N_("Coordinates half a texel inside of the tile, and no smaller levels: GL_TEXTURE_MAX_LEVEL."),
+           N_("The tile has only its own colours. Programs with smaller levels leave room between tiles."),
+           atlasCure},
     Preset{"coloured-levels", filterGroup, N_("Coloured mip levels"),
            N_("A floor that recedes into the distance. Each level above the base has its own colour."),
            N_("Each band of colour is a level. Change the LOD bias, and the bands move."), colouredLevels},

@@ -31,6 +31,9 @@ void generateNothing(Unit& unit);
 /// The same, and resets the texture matrix; for any target.
 void takeGivenCoordinates(Unit& unit, Target target = Target::Texture2D);
 
+/// Shows one square alone, seen straight from the front, and returns it.
+Model& showSquare(Scene& scene);
+
 /// Returns the first disabled unit after this one, else before it. Error: all are enabled.
 [[nodiscard]] Result<std::size_t> freeUnit(const PresetTarget& target);
 

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace texplorer::preset {
 namespace {
@@ -39,15 +41,20 @@ Unit* unitOfHeights(const PresetTarget& target, bool embossed) {
     return found == target.pass.units.end() ? nullptr : &*found;
 }
 
+Result<std::size_t> laterUnit(const PresetTarget& target) {
+    Result<std::size_t> free = freeUnit(target);
+    if (free && *free < target.place.unit)
+        return fail(ErrorCode::TooLarge, "all units after this one are in use");
+    return free;
+}
+
 /// That one, or a free one with a texture of its own.
 Result<Unit*> heightsIn(const PresetTarget& target, bool embossed) {
     if (Unit* there = unitOfHeights(target, embossed))
         return there;
-    const Result<std::size_t> free = freeUnit(target);
+    const Result<std::size_t> free = laterUnit(target);
     if (!free)
         return fail(free.error());
-    if (*free < target.place.unit)
-        return fail(ErrorCode::TooLarge, "all units after this one are in use");
     const Result<std::size_t> texture = addTexture(target.scene, heights());
     if (!texture)
         return fail(texture.error());
@@ -66,11 +73,13 @@ Result<void> detail(const PresetTarget& target) {
 }
 
 /// One cube: at the poles of a sphere the coordinates have no direction that could follow the light.
-void showCube(Scene& scene) {
+Model& showCube(Scene& scene) {
     constexpr std::array cube{Shape::Cube};
     showOnlyShapes(scene, cube);
-    scene.view.target = std::ranges::find(scene.models, Shape::Cube, &Model::shape)->position;
+    Model& model = *std::ranges::find(scene.models, Shape::Cube, &Model::shape);
+    scene.view.target = model.position;
     scene.view.distance = 5;
+    return model;
 }
 
 Result<void> emboss(const PresetTarget& target) {
@@ -88,6 +97,42 @@ Result<void> emboss(const PresetTarget& target) {
     return {};
 }
 
+/// A later unit that shows the same texture; nullptr: none.
+Unit* unitOfSame(const PresetTarget& target) {
+    const std::span<Unit> later = std::span(target.pass.units).subspan(target.place.unit + 1);
+    const auto found = std::ranges::find_if(
+        later, [&](const Unit& unit) { return unit.enabled && unit.texture == target.unit.texture; });
+    return found == later.end() ? nullptr : &*found;
+}
+
+Result<void> wrongUnit(const PresetTarget& target) {
+    Unit* other = unitOfSame(target);
+    if (!other) {
+        const Result<std::size_t> free = laterUnit(target);
+        if (!free)
+            return fail(free.error());
+        other = &target.pass.units[*free];
+        *other = target.unit;
+    }
+    showPatternUnlessOwn(target.texture, Pattern::Checker);
+    takeGivenCoordinates(*other);
+    target.unit.enabled = false;
+    std::vector<int>& leftOut =
+        showCube(target.scene).noTexCoord[static_cast<std::size_t>(other - target.pass.units.data())];
+    leftOut.resize(24); // all vertices of a cube
+    std::iota(leftOut.begin(), leftOut.end(), 0);
+    return {};
+}
+
+Result<void> wrongUnitCure(const PresetTarget& target) {
+    if (Unit* other = unitOfSame(target)) {
+        other->enabled = false;
+        for (Model& model : target.scene.models)
+            model.noTexCoord[static_cast<std::size_t>(other - target.pass.units.data())].clear();
+    }
+    return {};
+}
+
 constexpr std::array unitRows{
     Preset{"decal", unitGroup, N_("Decal with alpha"),
            N_("GL_DECAL with an image with alpha, over an orange glColor."),
@@ -97,6 +142,14 @@ constexpr std::array unitRows{
            N_("Fine grain over the image: the surface keeps its detail from close by. A grey of 0.5 changes "
               "nothing."),
            detail},
+    Preset{"wrong-unit", unitGroup, N_("Image on another unit"),
+           N_("The image is on a later unit, as after glActiveTexture(GL_TEXTURE1), but only glTexCoord is "
+              "called, which sends the coordinates of unit 0."),
+           N_("The cube has one colour: all of it reads the texel at (0, 0), OpenGL's initial coordinates."),
+           wrongUnit},
+    Preset{"wrong-unit-cure", unitGroup, N_("Image on another unit, cured"),
+           N_("The image is on this unit, as after glActiveTexture(GL_TEXTURE0), and the other one is off."),
+           N_("The image is back: glTexCoord sends the coordinates that its unit reads."), wrongUnitCure},
     Preset{
         "emboss", unitGroup, N_("Embossed bumps"),
         N_("Two units show heights on a cube, the second one inverted and moved towards the light, with "

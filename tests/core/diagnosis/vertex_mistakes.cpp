@@ -1,5 +1,7 @@
 #include "tests/core/diagnosis/mistakes.h"
 
+#include <numeric>
+
 namespace texplorer::test {
 namespace {
 
@@ -12,6 +14,12 @@ MeshData& triangle(Subject& s) {
     model.mesh.positions = {{0, 0, -3}, {1, 0, -3}, {0, 1, -3}};
     model.mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
     return model.mesh;
+}
+
+std::vector<int> allOfACube() {
+    std::vector<int> vertices(24);
+    std::iota(vertices.begin(), vertices.end(), 0);
+    return vertices;
 }
 
 constexpr std::array vertexRows{
@@ -46,6 +54,18 @@ constexpr std::array vertexRows{
             s.scene.models[0].noTexCoord[0] = {0, 1};
         },
         [](Subject& s) { s.unit().texGenS.enabled = s.unit().texGenT.enabled = true; }},
+    Mistake{"NoGlTexCoordOfAnyVertex", "no-tex-coord", Warning, "models[0].noTexCoord0",
+            "no vertex has a glTexCoord: all show the colour at (0, 0)",
+            [](Subject& s) { s.scene.models[0].noTexCoord[0] = allOfACube(); }},
+    Mistake{
+        "CoordinatesOfAnotherUnit", "no-tex-coord", Warning, "models[0].noTexCoord1",
+        "no vertex has coordinates of unit 1, and all show the colour at (0, 0): glTexCoord sends those of "
+        "unit 0, also after glActiveTexture",
+        [](Subject& s) {
+            s.pass().units[1] = s.unit();
+            s.unit().enabled = false;
+            s.scene.models[0].noTexCoord[1] = allOfACube();
+        }},
     Mistake{"NoGlTexCoordAtAKey", "no-tex-coord", Warning, "models[0].noTexCoord0",
             "at 2 s: vertex 2 has no glTexCoord: it shows the colour at the coordinates of vertex 1",
             [](Subject& s) {

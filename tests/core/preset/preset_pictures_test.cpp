@@ -1,8 +1,10 @@
 // Checks the sentence of each preset by numbers from the reference's picture.
 
+#include "texplorer/diagnosis/diagnosis.h"
 #include "texplorer/preset/preset.h"
 #include "texplorer/reference/draw.h"
 #include "texplorer/scene/animation.h"
+#include "texplorer/scene/model_mesh.h"
 #include "texplorer/texture/image_source.h"
 #include "texplorer/texture/texture_levels.h"
 
@@ -14,6 +16,7 @@
 #include <cstdlib>
 #include <functional>
 #include <optional>
+#include <set>
 
 namespace texplorer::preset_pictures_test {
 namespace {
@@ -129,6 +132,47 @@ TEST(PresetPictures, AGlowTakesNothingAway) {
         }
     }
     EXPECT_GT(meanOf(glow), meanOf(before) + 5);
+}
+
+TEST(PresetPictures, AnImageOnAnotherUnitIsOneColour) {
+    const auto colorsOf = [](Scene scene) {
+        scene.passes[0].lighting = false;
+        const Image image = drawn(scene);
+        std::set<Color> colors;
+        for (int y = 0; y < extent; ++y) {
+            for (int x = 0; x < extent; ++x)
+                colors.insert(colorAt(image, x, y));
+        }
+        colors.erase({28, 33, 41}); // the background
+        return colors;
+    };
+    const Scene wrong = with("wrong-unit");
+    EXPECT_EQ(wrong.models[0].noTexCoord[1].size(), meshOf(wrong.models[0]).vertices.size());
+    EXPECT_EQ(colorsOf(wrong).size(), 1U);
+    EXPECT_GT(colorsOf(with("wrong-unit-cure", wrong)).size(), 1U);
+    for (const Finding& finding : diagnose(wrong, {})) {
+        for (const Fix& fix : finding.severity == Severity::Warning ? finding.fixes : std::vector<Fix>()) {
+            Scene fixed = wrong;
+            ASSERT_TRUE(apply(fix, fixed)) << fix.label;
+            EXPECT_GT(colorsOf(fixed).size(), 1U) << fix.label;
+        }
+    }
+}
+
+TEST(PresetPictures, ATileBleedsUntilItsCoordinatesStayInside) {
+    // The tile is blue, with a white frame and a dark letter. Its neighbours are cyan, red, green and
+    // magenta.
+    const auto foreign = [](const Scene& scene) {
+        return shareOf(drawn(scene),
+                       [](Color c) { return !isBackground(c) && 5 * std::max(c[0], c[1]) > 4 * c[2]; });
+    };
+    Scene bleeding = with("atlas-bleeding");
+    const double share = foreign(bleeding);
+    EXPECT_GT(share, 0.01);
+    const Scene cured = with("atlas-bleeding-cure", bleeding);
+    EXPECT_EQ(foreign(cured), 0);
+    bleeding.textures[0].baseLevel = 5;
+    EXPECT_GT(foreign(bleeding), 1.5 * share) << "texels of twice the width";
 }
 
 TEST(PresetPictures, ScrollingComesBackAfterAPeriodOfTheBoard) {

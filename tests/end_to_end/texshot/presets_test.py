@@ -8,7 +8,11 @@ from texshot import Texshot, results, texshot
 
 
 class Presets(Texshot):
-    MISTAKES = {"slanted": {"upload-rows"}, "swapped-colours": {"upload-pixels"}}  # that these presets show
+    MISTAKES = {  # that these presets show
+        "slanted": {"upload-rows"},
+        "swapped-colours": {"upload-pixels"},
+        "wrong-unit": {"no-tex-coord"},
+    }
 
     def names(self):
         return [each["name"] for each in results(self.succeeds("presets", "--json"))]
