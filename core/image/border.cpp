@@ -118,6 +118,10 @@ Image repeatEdges(const Image& image, int axes) {
     return made;
 }
 
+Image withoutBorder(const Image& image, int axes) {
+    return cutOut(image, partOf(extentsOf(image), axes, {1, 1, 1}));
+}
+
 MipChain applyMipPolicyWithBorder(MipPolicy policy, Image base, int axes, const MipOptions& options) {
     if (base.empty())
         return {};
@@ -129,15 +133,13 @@ MipChain applyMipPolicyWithBorder(MipPolicy policy, Image base, int axes, const 
     if (!hasBorderExtents(base, axes))
         return withEdgesRepeated(applyMipPolicy(policy, std::move(base), options));
     if (policy == MipPolicy::Colored) {
-        MipChain levels = withEdgesRepeated(
-            applyMipPolicy(policy, cutOut(base, partOf(extentsOf(base), axes, {1, 1, 1})), options));
+        MipChain levels = withEdgesRepeated(applyMipPolicy(policy, withoutBorder(base, axes), options));
         levels.front() = std::move(base);
         return levels;
     }
     // Each part is a small image with a chain of its own. A part runs out of levels where it has one texel.
     MipChain levels;
-    for (const Image& inside :
-         applyMipPolicy(policy, cutOut(base, partOf(extentsOf(base), axes, {1, 1, 1})), options))
+    for (const Image& inside : applyMipPolicy(policy, withoutBorder(base, axes), options))
         levels.push_back(sized(inside.format, bordered(extentsOf(inside), axes)));
     forEachPart(axes, [&](const Extents& part) {
         const MipChain chain =

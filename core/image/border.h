@@ -18,6 +18,9 @@ namespace texplorer {
 /// Returns the image with its outermost texels repeated around it.
 [[nodiscard]] Image repeatEdges(const Image& image, int axes);
 
+/// Returns the image without its outermost texels.
+[[nodiscard]] Image withoutBorder(const Image& image, int axes);
+
 /// Like applyMipPolicy, with a border around every level. If the extents include the border, the outermost
 /// texels are the border, and the borders of smaller levels are computed from them alone; else the edges of
 /// the image are repeated.

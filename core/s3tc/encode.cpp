@@ -69,7 +69,7 @@ Result<void> check(const Image& image, BlockFormat format) {
     if (image.depth > 1)
         return fail(ErrorCode::Unsupported,
                     Sentence("volumes are not compressed: expected a depth of 1, found {0}", image.depth));
-    if (!blockEncoder(format, EncodeQuality::Fast))
+    if (!isEncoded(format))
         return fail(
             ErrorCode::Unsupported,
             Sentence("pictures are not compressed to {0}: their values are not signed", rowOf(format).name));
@@ -77,6 +77,10 @@ Result<void> check(const Image& image, BlockFormat format) {
 }
 
 } // namespace
+
+bool isEncoded(BlockFormat format) {
+    return blockEncoder(format, EncodeQuality::Fast) != nullptr;
+}
 
 Result<BlockImage> encodeBlocks(const Image& image, BlockFormat format, EncodeQuality quality,
                                 const Progress& progress, std::stop_token stop, unsigned threads) {

@@ -14,6 +14,9 @@ namespace texplorer {
 /// Must be increased with every change of the blocks that encodeBlocks makes: caches of blocks compare it.
 inline constexpr std::uint32_t encoderVersion = 3;
 
+/// Whether encodeBlocks makes blocks of a format.
+[[nodiscard]] bool isEncoded(BlockFormat format);
+
 /// Called after rows of blocks with the finished share, 0 to 1, on the thread that called the encoder.
 using Progress = std::function<void(float done)>;
 

@@ -18,4 +18,9 @@ namespace texplorer {
     }
 }
 
+/// Whether row 0 of the levels is the top row of what the texture shows.
+[[nodiscard]] inline bool isTopFirst(const TextureLevels& levels, Target target) {
+    return target == Target::CubeMap || levels.lateFlip != LateFlip::None;
+}
+
 } // namespace texplorer

@@ -3,6 +3,7 @@
 #include "texplorer/image/convert.h"
 #include "texplorer/image/thumbnail.h"
 #include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/texture/late_flip.h"
 #include "texplorer/texture/target_image.h"
 
 #include <algorithm>
@@ -95,7 +96,7 @@ Image levelPicture(const Image& level) {
 std::vector<std::pair<int, Thumbnail>> levelPictures(const LevelsRequest& request,
                                                      const TextureLevels& levels, int face) {
     std::vector<std::pair<int, Thumbnail>> pictures;
-    const bool topFirst = request.target == Target::CubeMap || levels.lateFlip != LateFlip::None;
+    const bool topFirst = isTopFirst(levels, request.target);
     for (const TextureLevel& level : levels.levels) {
         if (level.face != face)
             continue;
@@ -115,7 +116,7 @@ std::vector<std::pair<int, Thumbnail>> givenPictures(const LevelsRequest& reques
     std::vector<std::pair<int, Thumbnail>> pictures;
     if (request.settings.mipmaps != MipPolicy::Given)
         return pictures;
-    const bool topFirst = request.target == Target::CubeMap || levels.lateFlip != LateFlip::None;
+    const bool topFirst = isTopFirst(levels, request.target);
     for (const TextureLevel& level : levels.levels) {
         if (level.face == 0)
             pictures.emplace_back(level.number, smallOf(toImage(level.surface), topFirst));

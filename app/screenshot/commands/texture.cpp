@@ -1,4 +1,4 @@
-// A texture of a scene as pictures: after each step of its preparation, and the levels that OpenGL is given.
+// A texture of a scene as a file: a picture after each step of its preparation, a level, or all levels.
 
 #include "app/screenshot/arguments/context_argument.h"
 #include "app/screenshot/arguments/option_use.h"
@@ -7,12 +7,14 @@
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/gl/gl_module.h"
 #include "app/screenshot/output/json_text.h"
+#include "app/screenshot/output/long_work.h"
+#include "app/screenshot/output/messages.h"
 #include "app/screenshot/output/output.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/image/depth_pixels.h"
 #include "texplorer/reference/light_depth.h"
 #include "texplorer/s3tc/surface_pixels.h"
-#include "texplorer/texture/texture_levels.h"
+#include "texplorer/texture/saved_texture.h"
 
 #include <fmt/core.h>
 
@@ -32,6 +34,7 @@ struct TextureOptions {
     int level = -1; ///< likewise
     bool fromDriver = false;
     ContextArgument context;
+    bool allLevels = false;
     bool json = false;
 };
 
@@ -133,7 +136,30 @@ nlohmann::ordered_json jsonOf(const view::StoredTexture& stored) {
             {"levels", std::move(levels)}};
 }
 
-Result<void> prepareScene(const TextureOptions& options, OpenedScene& opened) {
+/// All levels, as the window saves a texture.
+Result<TextureImage> allLevelsOf(const Texture& texture, const TexturePictures& pictures) {
+    LongWork work("texshot: making the levels");
+    Result<SavedTexture> saved =
+        savedTexture(texture, pictures, {},
+                     {.progress = [&work](float done) { work.report(done); }, .stop = work.stopToken()});
+    work.finish();
+    if (!saved)
+        return fail(saved.error());
+    if (!saved->losses.empty())
+        warn({ErrorCode::Unsupported, Sentence("lost in {0}: {1}", "DDS", allLost(saved->losses))});
+    for (const Sentence& remark : saved->remarks)
+        warn({ErrorCode::Unsupported, remark});
+    return std::move(saved->image);
+}
+
+/// The content of the file; of --from-driver also what OpenGL says of it.
+struct WrittenTexture {
+    TextureImage image;
+    std::optional<view::StoredTexture> stored{};
+};
+
+Result<WrittenTexture> imageOf(const TextureOptions& options, OpenedScene& opened,
+                               const view::ContextChoice& context) {
     if (static_cast<std::size_t>(options.texture) >= opened.scene.textures.size())
         return fail(ErrorCode::OutOfRange,
                     Sentence("there is no textures[{0}]: the scene has {1}", options.texture,
@@ -143,19 +169,34 @@ Result<void> prepareScene(const TextureOptions& options, OpenedScene& opened) {
                         : atOption("--texture")); // of such a scene no number is right
     if (const auto loaded = opened.images.load(opened.scene); !loaded)
         return fail(loaded.error());
-    return {};
-}
-
-Result<Image> pictureOf(const TextureOptions& options, OpenedScene& opened) {
+    const auto written = [](Image&& picture) {
+        return WrittenTexture{textureOf(greysOf(std::move(picture)), {})};
+    };
+    if (options.fromDriver) {
+        const Result<ReadTexture> read = readFromDriver(options, opened, context);
+        if (!read)
+            return fail(read.error());
+        Result<WrittenTexture> level = levelOf(options, *read).map(written);
+        if (level)
+            level->stored = read->stored;
+        return level;
+    }
     const Texture& texture = opened.scene.textures[static_cast<std::size_t>(options.texture)];
     if (texture.source == SourceKind::LightDepth)
         opened.images.putLightDepth(
             texture.depthSize, depthImage(reference::drawLightDepths(opened.scene, 0, texture.depthSize)));
     const TexturePictures pictures = opened.images.picturesOf(texture);
-    return options.step >= 0 ? stepOf(options, texture, pictures) : levelOf(options, texture, pictures);
+    if (options.allLevels)
+        return allLevelsOf(texture, pictures).map([](TextureImage&& image) {
+            return WrittenTexture{std::move(image)};
+        });
+    return (options.step >= 0 ? stepOf(options, texture, pictures) : levelOf(options, texture, pictures))
+        .map(written);
 }
 
 ExitCode writeTexture(const TextureOptions& options) {
+    if (options.allLevels && options.level >= 0)
+        noteUnused("--level", "--all-levels writes all");
     if (options.json && isStandardOutput(options.out))
         return complain(standardOutputIsTaken("--json").value(), wrongCall);
     const auto context = parseContext(options.context);
@@ -163,7 +204,8 @@ ExitCode writeTexture(const TextureOptions& options) {
         return complain(context.error(), wrongCall);
     if (options.context.option->isGiven() && !options.fromDriver)
         noteUnused("--context", "it concerns OpenGL, which only --from-driver uses");
-    const auto output = openImageOutput(options.out, "PNG");
+    const std::string_view only = options.allLevels ? "DDS" : "";
+    const auto output = openImageOutput(options.out, options.allLevels ? only : "PNG", only);
     if (!output)
         return output.error();
     auto opened = openScene(options.scene);
@@ -173,30 +215,21 @@ ExitCode writeTexture(const TextureOptions& options) {
             checkOutputsApart(std::array{NamedOutput{"--out", options.out}}, filesOf(options.scene, *opened));
         !apart)
         return complain(apart.error(), wrongCall);
-    if (const Result<void> prepared = prepareScene(options, *opened); !prepared)
-        return complain(inScene(options.scene, prepared.error()), statusOf(prepared.error()));
-    std::optional<ReadTexture> read;
-    if (options.fromDriver) {
-        Result<ReadTexture> found = readFromDriver(options, *opened, *context);
-        if (!found)
-            return complain(inScene(options.scene, found.error()), statusOf(found.error()));
-        read = *std::move(found);
-    }
-    Result<Image> picture = read ? levelOf(options, *read) : pictureOf(options, *opened);
-    if (!picture)
-        return complain(inScene(options.scene, picture.error()), statusOf(picture.error()));
-    const TextureImage made = textureOf(greysOf(*std::move(picture)), {});
-    if (const auto written = output->write(made); !written)
+    const Result<WrittenTexture> made = imageOf(options, *opened, *context);
+    if (!made)
+        return complain(inScene(options.scene, made.error()), statusOf(made.error()));
+    if (const auto written = output->write(made->image); !written)
         return complain(written.error());
     if (!options.json)
         return success;
     nlohmann::ordered_json result{{"file", options.out},
                                   {"format", output->format->name},
                                   {"texture", options.texture},
-                                  {"width", widthOf(made.surface(0, 0))},
-                                  {"height", heightOf(made.surface(0, 0))}};
-    if (read)
-        result["driver"] = jsonOf(read->stored);
+                                  {"width", widthOf(made->image.surface(0, 0))},
+                                  {"height", heightOf(made->image.surface(0, 0))},
+                                  {"levelCount", made->image.levels}};
+    if (made->stored)
+        result["driver"] = jsonOf(*made->stored);
     const Result<void> printed = print(documentText(nlohmann::ordered_json::array({std::move(result)})));
     return printed ? success : complain(printed.error());
 }
@@ -205,7 +238,8 @@ ExitCode writeTexture(const TextureOptions& options) {
 
 void addTexture(CommandLine& line) {
     Command& command = line.command(
-        "texture", "Write a texture of a scene as a picture: a level, or after a step of its preparation.");
+        "texture",
+        "Write a texture of a scene to an image file: a level, all, or after a step of its preparation.");
     auto options = std::make_shared<TextureOptions>();
     addSceneArgument(command, options->scene);
     command.option(
@@ -223,15 +257,21 @@ void addTexture(CommandLine& line) {
                    "The mip level as uploaded to GL_TEXTURE_2D, but upright and decompressed; 0 is the "
                    "base.",
                    {.excludes = &step});
+    const Option& all = command.flag(
+        "--all-levels", options->allLevels,
+        "Write a DDS file of all levels, as blocks if the texture is compressed, with t = 0 at the "
+        "bottom.",
+        {.excludes = &step});
     command.flag(
         "--from-driver", options->fromDriver,
         "The level as the driver returns it after drawing with it (glGetTexImage), with the row at t "
         "= 0 at the bottom; --json adds what the driver stores: internal format and bits of each "
         "level, residency, and the largest size that fits.",
-        {.excludes = &step});
+        {.excludes = &all});
     addContextArgument(command, options->context);
-    command.flag("--json", options->json,
-                 "Print the result as JSON, for programs: output, format, texture, width and height.");
+    command.flag(
+        "--json", options->json,
+        "Print the result as JSON, for programs: output, format, texture, size and number of levels.");
     command.footer(
         "Without --step and --level it is the base level as uploaded. A shadow map is the one at time 0.\n"
         "Exit status: 0 done, 1 the scene or an image can't be read or the picture can't be written, 2 "

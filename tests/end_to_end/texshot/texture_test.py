@@ -6,7 +6,7 @@ import unittest
 
 from PIL import Image, ImageChops, ImageOps
 
-from texshot import Texshot, bmp
+from texshot import Texshot, bmp, results
 
 
 class TexturePictures(Texshot):
@@ -51,6 +51,37 @@ class TexturePictures(Texshot):
         self.assertEqual(self.picture_of(scene, "--level", "1").convert("RGB").tobytes(), half.tobytes())
         self.assertEqual(self.picture_of(scene, "--level", "2").size, (4, 2))
         self.complains(2, "--level: there is no level 3", "texture", scene, "-o", "-", "--level", "3")
+
+    def test_all_levels_are_a_file_of_a_tool(self):
+        (self.path / "half.bmp").write_bytes(bmp(8, 4, lambda x, y: (x, y, 0)))
+        (self.path / "quarter.bmp").write_bytes(bmp(4, 2, lambda x, y: (200, 10 * x, y)))
+        levels = [{"source": "file", "file": "half.bmp"}, {"source": "file", "file": "quarter.bmp"}]
+        scene = self.scene(mipmaps="given", levels=levels)
+        out = self.path / "out.dds"
+        told = results(self.succeeds("texture", scene, "-o", out, "--all-levels", "--json"))
+        self.assertEqual(told[0]["levelCount"], 3)
+        self.assertEqual(Image.open(out).convert("RGB").tobytes(), self.original.tobytes())
+        pixels = out.read_bytes()[128:]  # a header of 128 bytes, then 24 bits a texel: blue, green, red
+        sizes = [16 * 8 * 3, 8 * 4 * 3, 4 * 2 * 3]
+        self.assertEqual(len(pixels), sum(sizes))
+        for name, start, size in [("half.bmp", sizes[0], (8, 4)), ("quarter.bmp", sum(sizes[:2]), (4, 2))]:
+            level = Image.frombytes("RGB", size, pixels[start:], "raw", "BGR")
+            self.assertEqual(level.tobytes(), Image.open(self.path / name).convert("RGB").tobytes(), name)
+        self.complains(2, ".dds", "texture", scene, "-o", self.path / "out.png", "--all-levels")
+        self.complains(2, "--all-levels", "texture", scene, "-o", out, "--all-levels", "--step", "0")
+
+    def test_all_levels_stay_compressed(self):
+        self.succeeds("compress", self.path / "in.bmp", self.path / "in.dds", "--format", "dxt1")
+        for flip in ("blocks", "coordinates", "none"):
+            scene = self.scene(file="in.dds", mipmaps="file", flip=flip)
+            out = self.path / "out.dds"
+            self.succeeds("texture", scene, "-o", out, "--all-levels")
+            expected = Image.open(self.path / "in.dds").convert("RGB")
+            if flip == "none":  # what OpenGL looks up is upside down
+                expected = ImageOps.flip(expected)
+            else:
+                self.assertEqual(out.read_bytes()[128:], (self.path / "in.dds").read_bytes()[128:])
+            self.assertEqual(Image.open(out).convert("RGB").tobytes(), expected.tobytes(), flip)
 
     def test_what_the_light_sees_is_drawn(self):
         file = self.path / "light.json"
