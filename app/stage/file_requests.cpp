@@ -5,6 +5,7 @@
 #include "app/ui/files/program_file.h"
 #include "app/ui/files/recording_file.h"
 #include "app/ui/files/sheet_file.h"
+#include "app/ui/files/texture_file.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
 #include "texplorer/base/parallel.h"
@@ -90,6 +91,9 @@ bool answered(ui::Session& session, const FileRequests& host, Dialog dialog) {
         return true;
     case Dialog::SaveProgram:
         saveOrder(session, host, ui::programOrder(session, ui::programFileName(session.document)));
+        return true;
+    case Dialog::SaveTexture:
+        saveOrder(session, host, textureOrder(session, textureFileName(session)));
         return true;
     case Dialog::SaveRecording:
         saveOrder(session, host, animationFileOf(session));

@@ -11,6 +11,7 @@
 #include "app/ui/state/sheet_choice.h"
 #include "app/ui/state/view_settings.h"
 #include "app/ui/state/window_state.h"
+#include "texplorer/texture/saved_texture.h"
 
 #include <functional>
 #include <memory>
@@ -39,6 +40,7 @@ struct Session {
     std::optional<LessonRun> lesson; ///< nothing: none is open
     SheetChoice sheet;
     RecordingChoice recording;
+    TextureSaving saving; ///< its target is that of the selected unit
     WindowState window;
     std::shared_ptr<const reference::ProbeWorker::Answer> tableAnswer; ///< see askAboutTable
     mutable Outbox out;                                                ///< of this frame

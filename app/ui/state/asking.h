@@ -21,6 +21,8 @@ enum class Dialog {
     SaveAnswers,
     SaveSheet,
     SaveProgram,
+    Texture, ///< the options of a texture's file
+    SaveTexture,
     Record,
     SaveRecording,
     Discard,

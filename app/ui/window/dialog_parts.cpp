@@ -27,6 +27,12 @@ bool beginModal(const Sentence& title, ImVec2 size) {
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
 }
 
+void lineName(const char* words) {
+    constexpr float nameColumn = 9; // in heights of a letter
+    labelText(words, color::dim);
+    ImGui::SameLine(ImGui::GetFontSize() * nameColumn);
+}
+
 float dialogButtonWidth(const char* words) {
     const float em = ImGui::GetFontSize();
     return std::max(em * 6.5F, ImGui::CalcTextSize(tr(words)).x + em * 1.5F);
@@ -54,7 +60,8 @@ void endWithAnswers(const Session& session, const std::vector<DialogAnswer>& ans
         if (&each != &answers.front())
             ImGui::SameLine();
         ImGui::BeginDisabled(!each.enabled);
-        if (dialogButton(each.words, each.name) || (each.key != 0 && isKeyPressed(each.key, false)))
+        if (dialogButton(each.words, each.name) ||
+            (each.enabled && each.key != 0 && isKeyPressed(each.key, false)))
             given = &each;
         ImGui::EndDisabled();
         if (*each.help != '\0')

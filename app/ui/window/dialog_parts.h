@@ -12,6 +12,9 @@ namespace texplorer::ui {
 /// call ImGui::EndPopup().
 [[nodiscard]] bool beginModal(const Sentence& title, ImVec2 size = {0, 0});
 
+/// The name of a line, before its control.
+void lineName(const char* words);
+
 /// A button of a dialog: as wide as its label, and not narrower than the others of its row.
 bool dialogButton(const char* words, std::string_view name);
 [[nodiscard]] float dialogButtonWidth(const char* words);
@@ -35,9 +38,10 @@ struct DialogAnswer {
 void endWithAnswers(const Session& session, const std::vector<DialogAnswer>& answers);
 
 // The dialogs that have a file of their own.
-void drawChangedFile(const Session& session); ///< Dialog::FileHasChanged
-void drawHelp(const Session& session);        ///< keys, mouse and colours
-void drawRecord(const Session& session);      ///< the options of an animation, before its file is chosen
+void drawChangedFile(const Session& session);   ///< Dialog::FileHasChanged
+void drawHelp(const Session& session);          ///< keys, mouse and colours
+void drawRecord(const Session& session);        ///< the options of an animation, before its file is chosen
+void drawTextureDialog(const Session& session); ///< the same of a texture
 void drawRestore(const Session& session, const Pictures& pictures); ///< there must be an offer
 
 } // namespace texplorer::ui

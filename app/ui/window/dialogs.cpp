@@ -6,6 +6,7 @@
 #include "app/ui/files/recording_file.h"
 #include "app/ui/files/scene_files.h"
 #include "app/ui/files/sheet_file.h"
+#include "app/ui/files/texture_file.h"
 #include "app/ui/language/translate.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/widgets/keys.h"
@@ -66,6 +67,8 @@ constexpr std::array browserRows{
                [](const Session& session) { return sheetFileName(session.document); }},
     BrowserRow{Dialog::SaveProgram, N_("Export as program"), true, false, saveProgram,
                [](const Session& session) { return programFileName(session.document); }},
+    BrowserRow{Dialog::SaveTexture, N_("Choose the texture's file"), true, false, saveTextureFile,
+               textureFileName},
     BrowserRow{Dialog::SaveRecording, N_("Save the animation"), true, false, saveRecording,
                recordingFileName},
 };
@@ -163,11 +166,12 @@ void drawRefused(const Session& session) {
     ImGui::EndPopup();
 }
 
-constexpr std::array<std::pair<Dialog, void (*)(const Session&)>, 6> otherDialogs{
+constexpr std::array<std::pair<Dialog, void (*)(const Session&)>, 7> otherDialogs{
     {{Dialog::Discard, drawDiscard},
      {Dialog::FileHasChanged, drawChangedFile},
      {Dialog::Picture, drawPictureQuestion},
      {Dialog::Record, drawRecord},
+     {Dialog::Texture, drawTextureDialog},
      {Dialog::Help, drawHelp},
      {Dialog::Refused, drawRefused}}};
 

@@ -155,6 +155,7 @@ void fileItems(const Session& session, const Layout& layout, bool hasLessons) {
     ImGui::Separator();
     shortcutItem(session, layout, "Save", "save");
     shortcutItem(session, layout, "Save as…", "save as");
+    saveTextureItem(session);
     menuOf("Export as program", [&] { programMenuItems(session); });
     ImGui::Separator();
     shortcutItem(session, layout, "Picture of the view", "view picture");

@@ -15,13 +15,7 @@
 namespace texplorer::ui {
 namespace {
 
-constexpr float nameColumn = 9; // in heights of a letter
-constexpr float numberWidth = 5.5F;
-
-void lineName(const char* words) {
-    labelText(words, color::dim);
-    ImGui::SameLine(ImGui::GetFontSize() * nameColumn);
-}
+constexpr float numberWidth = 5.5F; // in heights of a letter
 
 bool secondsField(const char* id, float& value, float min) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * numberWidth);

@@ -22,6 +22,8 @@ void moveKeyboardFocus(const Session& session, KeyboardFocus& focus);
 
 void drawMenuBar(const Session& session, const Layout& layout);
 
+void saveTextureItem(const Session& session); ///< in its menu File
+
 void drawPlaybackControls(const Session& session); ///< in the menu bar, at its end
 [[nodiscard]] float minPlaybackWidth();            ///< with less room they are only buttons
 [[nodiscard]] float playbackButtonsWidth();        ///< with less room they are left out
