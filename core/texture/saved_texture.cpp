@@ -115,6 +115,37 @@ void addRemarks(const TextureLevels& levels, const TextureSaving& how, SavedText
         saved.remarks.emplace_back(N_("The driver's own levels may differ a little."));
 }
 
+/// Adds all levels, as blocks or pixels.
+Result<void> addSurfaces(TextureLevels& levels, const Texture& texture, const TextureSaving& how,
+                         const LevelWork& work, SavedTexture& saved) {
+    std::vector<Surface>& surfaces = saved.image.surfaces;
+    const std::optional<BlockFormat> blocks = wantedBlocks(levels, how);
+    const bool topFirst = isTopFirst(levels, how.target);
+    saved.image.topFirst = true;
+    if (blocks && areBlocks(levels, *blocks, topFirst)) {
+        saved.image.topFirst = topFirst;
+        for (TextureLevel& level : levels.levels)
+            surfaces.push_back(std::move(level.surface).take());
+        return {};
+    }
+    MipChain pixels = pixelsOf(levels, how, topFirst, blocks.has_value());
+    if (!blocks) {
+        std::ranges::move(pixels, std::back_inserter(surfaces));
+        return {};
+    }
+    if (how.blocks == SavedBlocks::Chosen)
+        std::ranges::move(lossesIn(pixels, *blocks), std::back_inserter(saved.losses));
+    else if (!levels.driverFormat)
+        saved.remarks.emplace_back(
+            N_("Its blocks are compressed again, because they can't be flipped without loss."));
+    const EncodeQuality quality = how.encodes(texture) ? how.quality : texture.compressionQuality;
+    auto made = encodeLevels(pixels, *blocks, quality, work.progress, work.stop);
+    if (!made)
+        return fail(made.error());
+    std::ranges::move(*made, std::back_inserter(surfaces));
+    return {};
+}
+
 bool hasAlpha(const Surface& surface) {
     const auto* image = std::get_if<Image>(&surface);
     return image ? image->format != PixelFormat::Luminance8 && image->format != PixelFormat::Rgb8
@@ -155,39 +186,17 @@ Result<SavedTexture> savedTexture(const Texture& texture, const TexturePictures&
     Result<TextureLevels> levels = prepareLevels(texture, pictures, how.target, work);
     if (!levels)
         return fail(levels.error());
-    const std::optional<BlockFormat> blocks = wantedBlocks(*levels, how);
-    const bool isCompressed = formatOfBlocks(*levels).has_value();
-    const bool topFirst = isTopFirst(*levels, how.target);
     SavedTexture saved;
     addRemarks(*levels, how, saved);
     TextureImage& image = saved.image;
     image.format = how.file;
     image.faces = facesOf(how.target);
     image.levels = static_cast<int>(levels->levels.size()) / image.faces;
-    image.topFirst = true;
-    image.srgb = !isCompressed && isSrgb(levels->internalFormat);
+    image.srgb = !formatOfBlocks(*levels) && isSrgb(levels->internalFormat);
     if (isDepth(levels->internalFormat))
         image.componentBits = factsOf(levels->internalFormat).bits.front();
-    if (blocks && areBlocks(*levels, *blocks, topFirst)) {
-        image.topFirst = topFirst;
-        for (TextureLevel& level : levels->levels)
-            image.surfaces.push_back(std::move(level.surface).take());
-    } else {
-        MipChain pixels = pixelsOf(*levels, how, topFirst, blocks.has_value());
-        if (blocks && how.blocks == SavedBlocks::Chosen)
-            std::ranges::move(lossesIn(pixels, *blocks), std::back_inserter(saved.losses));
-        if (blocks && how.blocks == SavedBlocks::AsTexture && !levels->driverFormat)
-            saved.remarks.emplace_back(
-                N_("Its blocks are compressed again, because they can't be flipped without loss."));
-        if (blocks) {
-            auto made = encodeLevels(pixels, *blocks, how.quality, work.progress, work.stop);
-            if (!made)
-                return fail(made.error());
-            std::ranges::move(*made, std::back_inserter(image.surfaces));
-        } else {
-            std::ranges::move(pixels, std::back_inserter(image.surfaces));
-        }
-    }
+    if (const Result<void> added = addSurfaces(*levels, texture, how, work, saved); !added)
+        return fail(added.error());
     image.alpha = hasAlpha(image.surfaces.front()) ? AlphaMeaning::Straight : AlphaMeaning::None;
     std::ranges::move(lossesIn(image, how.file), std::back_inserter(saved.losses));
     if (!how.hasAllLevels()) {

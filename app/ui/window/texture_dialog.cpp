@@ -50,6 +50,8 @@ bool listLine(const char* words, const char* id, const std::string& shown, const
     const bool open = ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLargest);
     if (open) {
         offer();
+        if (isKeyPressed(key::escape, false)) // of the list, not of the dialog
+            ImGui::CloseCurrentPopup();
         ImGui::EndCombo();
     }
     ImGui::EndDisabled();

@@ -66,6 +66,12 @@ TEST_F(TextureDialog, OffersTheLevelsOfAPicture) {
     EXPECT_EQ(session->saving.level, 3);
     EXPECT_EQ(session->saving.blocks, SavedBlocks::AsTexture);
     EXPECT_EQ(savedLevels(*session).value().front().width, 8);
+    click("texture:level");
+    frames(2);
+    key(key::escape);
+    frames(2);
+    EXPECT_FALSE(has("texture:level 3"));
+    EXPECT_EQ(session->asking.dialog, Dialog::Texture) << "Escape closed the list";
     key(key::escape);
     frames(2);
     EXPECT_EQ(session->asking.dialog, Dialog::None);
