@@ -226,14 +226,17 @@ TEST_F(BareHostTest, ARequestThatFollowsSavingReachesTheHostToo) {
 }
 
 TEST_F(BareHostTest, OtherFilesAreSavedTheSameWay) {
-    for (const ui::Dialog dialog : {ui::Dialog::SaveProgram, ui::Dialog::SaveAnswers}) {
+    for (const ui::Dialog dialog :
+         {ui::Dialog::SaveProgram, ui::Dialog::SaveAnswers, ui::Dialog::SaveTexture}) {
         host.session.asking.dialog = dialog;
         host.run({Refresh{}});
     }
-    ASSERT_THAT(host.saved, SizeIs(2));
+    ASSERT_THAT(host.saved, SizeIs(3));
     EXPECT_EQ(host.saved[0].at(0).name, "scene.c");
     EXPECT_THAT(host.saved[0].at(0).bytes, SizeIs(Gt(1000U)));
     EXPECT_EQ(host.saved[1].at(0).name, "answers.json");
+    EXPECT_EQ(host.saved[2].at(0).name, "checker.dds");
+    EXPECT_THAT(host.saved[2].at(0).bytes, SizeIs(Gt(64U * 64U * 4U)));
 }
 
 TEST_F(BareHostTest, ARendererThatIsNotThereIsNotOffered) {
