@@ -195,6 +195,9 @@ Result<WrittenTexture> imageOf(const TextureOptions& options, OpenedScene& opene
 }
 
 ExitCode writeTexture(const TextureOptions& options) {
+    if (options.allLevels && options.fromDriver)
+        return complain({ErrorCode::OutOfRange, N_("--all-levels and --from-driver exclude each other"), {}},
+                        wrongCall);
     if (options.allLevels && options.level >= 0)
         noteUnused("--level", "--all-levels writes all");
     if (options.json && isStandardOutput(options.out))
@@ -257,17 +260,16 @@ void addTexture(CommandLine& line) {
                    "The mip level as uploaded to GL_TEXTURE_2D, but upright and decompressed; 0 is the "
                    "base.",
                    {.excludes = &step});
-    const Option& all = command.flag(
-        "--all-levels", options->allLevels,
-        "Write a DDS file of all levels, as blocks if the texture is compressed, with t = 0 at the "
-        "bottom.",
-        {.excludes = &step});
+    command.flag("--all-levels", options->allLevels,
+                 "Write a DDS file of all levels, as blocks if the texture is compressed, with t = 0 at the "
+                 "bottom.",
+                 {.excludes = &step});
     command.flag(
         "--from-driver", options->fromDriver,
         "The level as the driver returns it after drawing with it (glGetTexImage), with the row at t "
         "= 0 at the bottom; --json adds what the driver stores: internal format and bits of each "
         "level, residency, and the largest size that fits.",
-        {.excludes = &all});
+        {.excludes = &step});
     addContextArgument(command, options->context);
     command.flag(
         "--json", options->json,
