@@ -23,6 +23,7 @@ Texture baseSettings(const Texture& texture) {
     settings.levels.clear();
     settings.mipFilter = MipFilter::Box;
     settings.mipGamma = false;
+    settings.mipCoverage = 0;
     if (factsOf(texture.internalFormat).encoding != Encoding::Linear ||
         isGenericCompressed(texture.internalFormat))
         settings.internalFormat = internalFormat(baseFormat(texture.internalFormat));

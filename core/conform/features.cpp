@@ -35,7 +35,7 @@ constexpr std::array rows{
             rules::exact},
     Feature{"internal-formats", "formats of few bits and of sRGB × filters × wrap modes", "3.8.1", 112,
             scenes::internalFormats, rules::texelEdge, rules::exact},
-    Feature{"preparation", "one to three operations on the image before its levels are made", "3.6.5", 72,
+    Feature{"preparation", "one to three operations on the image before its levels are made", "3.6.5", 132,
             scenes::preparation, rules::exact, rules::exact},
     Feature{"upload", "formats × types × alignments, row lengths, scale and bias, that fit the memory or not",
             "3.6.4", 132, scenes::upload, rules::exact, rules::exact},

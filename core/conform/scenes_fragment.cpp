@@ -133,6 +133,9 @@ Scene preparation(int number, Dice& state, Dice& values) {
         }
         step.amount = values.number(0, 3);
         step.pattern = values.any<Pattern>();
+        for (ComponentSource* source : {&step.red, &step.green, &step.blue, &step.alpha})
+            *source = values.any<ComponentSource>();
+        step.share = values.number(0.2F, 1);
         steps.push_back(step);
     }
     return scene;

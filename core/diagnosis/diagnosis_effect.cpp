@@ -164,6 +164,7 @@ constexpr std::array settings{
     Setting{keyOf<&Texture::border>, noBorder},
     Setting{keyOf<&Texture::mipFilter>, noMipmaps},
     Setting{keyOf<&Texture::mipGamma>, noMipmaps},
+    Setting{keyOf<&Texture::mipCoverage>, noMipmaps},
     Setting{keyOf<&Texture::maxLevel>, noMipmaps},
     Setting{keyOf<&Texture::minLod>, noLod},
     Setting{keyOf<&Texture::maxLod>, noLod},
@@ -249,14 +250,26 @@ void depthsUnprepared(const Case& about, Report& report) {
 }
 
 bool makesAlpha(const ImageStep& step) {
-    return step.op == ImageOp::AlphaFrom || step.op == ImageOp::LuminanceToAlpha;
+    return step.op == ImageOp::AlphaFrom || step.op == ImageOp::LuminanceToAlpha ||
+           (step.op == ImageOp::Swizzle && step.alpha != ComponentSource::Alpha);
+}
+
+/// Whether colours depend on the alpha before the step.
+bool colorsFromAlpha(const ImageStep& step) {
+    constexpr ComponentSource alpha = ComponentSource::Alpha;
+    return step.op == ImageOp::Premultiply || step.op == ImageOp::Spread ||
+           (step.op == ImageOp::Swizzle && (step.red == alpha || step.green == alpha || step.blue == alpha));
 }
 
 /// Why an alpha that a step makes is lost; empty: it isn't.
 Sentence lostAlpha(const Texture& texture, const TextureFacts& facts, std::size_t step) {
     const auto later = texture.preparation.begin() + static_cast<std::ptrdiff_t>(step) + 1;
-    if (std::any_of(later, texture.preparation.end(), makesAlpha))
-        return N_("a later step replaces alpha");
+    for (auto each = later; each != texture.preparation.end(); ++each) {
+        if (colorsFromAlpha(*each))
+            return {};
+        if (makesAlpha(*each))
+            return N_("a later step replaces alpha");
+    }
     if (texture.transparency != Transparency::File && texture.transparency != Transparency::Alpha)
         return Sentence("the transparency \"{0}\" replaces alpha", named(texture.transparency));
     const auto isWithout = [](const TargetFacts& each) {
@@ -302,6 +315,7 @@ void unused(const Case& about, Report& report) {
         unless(cached, keyOf<&Texture::compressionQuality>(), named(texture.compression));
         unless(takesFilter(texture.mipmaps), keyOf<&Texture::mipFilter>(), named(texture.mipmaps));
         unless(takesFilter(texture.mipmaps), keyOf<&Texture::mipGamma>(), named(texture.mipmaps));
+        unless(takesFilter(texture.mipmaps), keyOf<&Texture::mipCoverage>(), named(texture.mipmaps));
         unless(texture.mipmaps != MipPolicy::FromFile && texture.mipmaps != MipPolicy::Glu,
                keyOf<&Texture::npot>(), named(texture.mipmaps));
         const std::string upload = keyOf<&Texture::upload>() + ".";
@@ -323,11 +337,19 @@ void unused(const Case& about, Report& report) {
         for (std::size_t k = 0; k < texture.preparation.size(); ++k) {
             const ImageStep& step = texture.preparation[k];
             const std::string owner = elementOf<&Texture::preparation>(k) + ".";
-            const bool asks = step.op == ImageOp::AlphaFrom;
+            const bool asks = readsOther(step);
+            const bool resizes = step.op == ImageOp::Resize;
             const bool isFile = step.source == SourceKind::File;
             unless(step.op == ImageOp::Scale, owner + keyOf<&ImageStep::factor>(), named(step.op));
             unless(step.op == ImageOp::Scale, owner + keyOf<&ImageStep::bias>(), named(step.op));
-            unless(step.op == ImageOp::Sharpen, owner + keyOf<&ImageStep::amount>(), named(step.op));
+            unless(step.op == ImageOp::Sharpen || step.op == ImageOp::Normals,
+                   owner + keyOf<&ImageStep::amount>(), named(step.op));
+            for (const Key& key : {keyOf<&ImageStep::red>, keyOf<&ImageStep::green>, keyOf<&ImageStep::blue>,
+                                   keyOf<&ImageStep::alpha>})
+                unless(step.op == ImageOp::Swizzle, owner + key(), named(step.op));
+            for (const Key& key :
+                 {keyOf<&ImageStep::share>, keyOf<&ImageStep::width>, keyOf<&ImageStep::height>})
+                unless(resizes, owner + key(), named(step.op));
             unless(asks, owner + keyOf<&ImageStep::source>(), named(step.op));
             unless(asks && !isFile, owner + keyOf<&ImageStep::pattern>(),
                    asks ? named(step.source) : named(step.op));

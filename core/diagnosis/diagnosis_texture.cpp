@@ -59,7 +59,7 @@ void missingPart(const Case& about, Report& report) {
                 add(elementOf<&Texture::levels>(i), texture.levels[i].file, N_("there is no such level"));
         }
         for (std::size_t i = 0; i < texture.preparation.size(); ++i) {
-            if (texture.preparation[i].op == ImageOp::AlphaFrom && !facts.pictures.other(i))
+            if (readsOther(texture.preparation[i]) && !facts.pictures.other(i))
                 add(elementOf<&Texture::preparation>(i), texture.preparation[i].file,
                     N_("the step is skipped"));
         }

@@ -65,7 +65,9 @@ Sentence obstacleTo(Flavour flavour, const ParamRow& row) {
     constexpr std::array ofTexels{memberId<&Texture::internalFormat>,   memberId<&Texture::border>,
                                   memberId<&Texture::compressedFormat>, memberId<&Texture::stencilColor>,
                                   memberId<&ImageStep::factor>,         memberId<&ImageStep::bias>,
-                                  memberId<&ImageStep::amount>};
+                                  memberId<&ImageStep::amount>,         memberId<&ImageStep::share>,
+                                  memberId<&ImageStep::width>,          memberId<&ImageStep::height>,
+                                  memberId<&Texture::mipCoverage>};
     constexpr std::array ofShape{memberId<&Model::shape>, memberId<&MeshData::primitive>};
     constexpr std::array counts{memberId<&Model::slices>, memberId<&Model::stacks>};
     constexpr std::array fixed{memberId<&Material::colorMaterial>, memberId<&Unit::target>};

@@ -13,6 +13,8 @@ struct MipOptions {
     MipFilter filter = MipFilter::Box;
     bool linearLight = false; ///< averages colours as linear light (sRGB's curve); alpha is not converted
     NpotPolicy npot = NpotPolicy::Keep;
+    /// Above 0: an alpha test's reference, whose coverage the levels keep (alpha_coverage.h).
+    float coverage = 0;
 
     bool operator==(const MipOptions&) const = default;
 };

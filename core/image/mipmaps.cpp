@@ -1,5 +1,6 @@
 #include "texplorer/image/mipmaps.h"
 
+#include "texplorer/image/alpha_coverage.h"
 #include "texplorer/image/linear_light.h"
 #include "texplorer/image/mip_colors.h"
 #include "texplorer/image/resample.h"
@@ -197,6 +198,16 @@ MipChain levelsAbove(const Image& base, MakeLevel makeLevel) {
     return levels;
 }
 
+/// Each level for itself, after it was made of those that are not scaled.
+MipChain withCoverageOf(const Image& base, MipChain levels, float reference) {
+    if (reference <= 0 || alphaComponent(base.format) < 0)
+        return levels;
+    const double coverage = alphaCoverage(base, reference);
+    for (Image& level : levels)
+        level = withCoverage(std::move(level), reference, coverage);
+    return levels;
+}
+
 } // namespace
 
 int mipLevelCount(int width, int height, int depth) {
@@ -211,7 +222,9 @@ MipChain mipLevelsAbove(MipPolicy policy, const Image& base, const MipOptions& o
     case MipPolicy::GenerateMipmap:
     case MipPolicy::OnUpload:
     case MipPolicy::Glu:
-        return levelsAbove(base, [&](const Image& above, int) { return nextLevel(above, options); });
+        return withCoverageOf(
+            base, levelsAbove(base, [&](const Image& above, int) { return nextLevel(above, options); }),
+            options.coverage);
     case MipPolicy::Colored:
         return levelsAbove(base, flatLevel);
     case MipPolicy::None:

@@ -71,8 +71,9 @@ static_assert(mipPolicyRows.size() == 9);
 /// Builds the whole chain, base level first. Each level has max(1, floor(n / 2)) texels along every axis. The
 /// box filter averages an axis of odd size with weights by coverage (three texels each), so every texel
 /// counts and the mean colour stays; it rounds to nearest. The other filters are those of stb_image_resize,
-/// with clamped edges; volumes always use the box. Components are filtered separately, alpha too. An empty
-/// base gives an empty chain.
+/// with clamped edges; volumes always use the box. Components are filtered separately, alpha too; then each
+/// level's alpha is scaled to the base's coverage, if the options ask for it. An empty base gives an empty
+/// chain.
 [[nodiscard]] MipChain buildMipChain(Image base, const MipOptions& options = {});
 
 /// Returns the chain of a policy: the base alone (None; FromFile and Given, as a picture has one level), the

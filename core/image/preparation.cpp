@@ -1,8 +1,9 @@
 #include "texplorer/image/preparation.h"
 
-#include "texplorer/image/convert.h"
 #include "texplorer/image/linear_light.h"
 #include "texplorer/image/resample.h"
+#include "texplorer/image/steps/image_steps.h"
+#include "texplorer/image/steps/step_texels.h"
 
 #include <algorithm>
 #include <array>
@@ -13,61 +14,8 @@ namespace texplorer {
 
 namespace {
 
-/// Red, green, blue and alpha of a texel.
-using Components = std::array<std::uint8_t, 4>;
-
 std::uint8_t valueOf(std::byte byte) {
     return std::to_integer<std::uint8_t>(byte);
-}
-
-/// The inverse of rgbaOf, for components that the format can hold.
-void store(PixelFormat format, const Components& from, std::byte* texel) {
-    switch (format) {
-    case PixelFormat::Alpha8:
-        texel[0] = std::byte{from[3]};
-        return;
-    case PixelFormat::LuminanceAlpha8:
-        texel[1] = std::byte{from[3]};
-        [[fallthrough]];
-    case PixelFormat::Luminance8:
-        texel[0] = std::byte{from[0]};
-        return;
-    case PixelFormat::Rgba8:
-        texel[3] = std::byte{from[3]};
-        [[fallthrough]];
-    case PixelFormat::Rgb8:
-        for (std::size_t i = 0; i < 3; ++i)
-            texel[i] = std::byte{from[i]};
-        return;
-    case PixelFormat::Depth32: // which no step makes
-        return;
-    }
-}
-
-std::uint8_t luminanceOf(const Components& color) {
-    return static_cast<std::uint8_t>((299 * color[0] + 587 * color[1] + 114 * color[2] + 500) / 1000);
-}
-
-bool isGrey(PixelFormat format) {
-    return format == PixelFormat::Luminance8 || format == PixelFormat::LuminanceAlpha8;
-}
-
-PixelFormat smallestFormat(bool grey, bool alpha) {
-    if (grey)
-        return alpha ? PixelFormat::LuminanceAlpha8 : PixelFormat::Luminance8;
-    return alpha ? PixelFormat::Rgba8 : PixelFormat::Rgb8;
-}
-
-template<class Change> ///< change(components, index of the texel) -> components
-Image eachTexel(const Image& image, PixelFormat format, Change change) {
-    Image made = Image::uninitialised(format, image.width, image.height, image.depth);
-    const auto step = static_cast<std::size_t>(bytesPerPixel(image.format));
-    const auto madeStep = static_cast<std::size_t>(bytesPerPixel(format));
-    const std::size_t texels = image.pixels.size() / step;
-    for (std::size_t i = 0; i < texels; ++i)
-        store(format, change(rgbaOf(image.format, image.pixels.data() + i * step), i),
-              made.pixels.data() + i * madeStep);
-    return made;
 }
 
 /// A component of 8 bits, scaled and biased: in the order and precision in which Mesa does it, so that what
@@ -110,32 +58,12 @@ Image inverted(Image image) {
     return image;
 }
 
-Image toLuminance(const Image& image) {
-    return eachTexel(image, smallestFormat(true, alphaComponent(image.format) >= 0),
-                     [](const Components& color, std::size_t) {
-                         const std::uint8_t grey = luminanceOf(color);
-                         return Components{grey, grey, grey, color[3]};
-                     });
-}
-
-Image luminanceToAlpha(const Image& image) {
-    return eachTexel(image, smallestFormat(isGrey(image.format), true), [](Components color, std::size_t) {
-        color[3] = luminanceOf(color);
-        return color;
-    });
-}
-
-Image alphaFrom(const Image& image, const Image& other) {
-    const bool isAlpha = other.format == PixelFormat::Alpha8;
-    const Image luminance =
-        eachTexel(other, PixelFormat::Luminance8, [isAlpha](const Components& color, std::size_t) {
-            return Components{isAlpha ? color[3] : luminanceOf(color)};
-        });
-    const Image fitted = scaleByCoverage(luminance, image.width, image.height, image.depth);
-    const PixelFormat format =
-        image.format == PixelFormat::Alpha8 ? image.format : smallestFormat(isGrey(image.format), true);
-    return eachTexel(image, format, [&fitted](Components color, std::size_t i) {
-        color[3] = valueOf(fitted.pixels[i]);
+Image premultiplied(const Image& image) {
+    if (alphaComponent(image.format) < 0)
+        return image;
+    return eachTexel(image, image.format, [](Components color, std::size_t) {
+        for (std::size_t i = 0; i < 3; ++i)
+            color[i] = static_cast<std::uint8_t>((color[i] * color[3] + 127) / 255);
         return color;
     });
 }
@@ -177,19 +105,30 @@ Image prepared(Image image, const Operation& operation) {
     const bool colorless = image.format == PixelFormat::Alpha8;
     if (image.empty() || image.format == PixelFormat::Depth32)
         return image;
+    using enum ComponentSource;
     switch (operation.op) {
     case ImageOp::Scale:
         return transferred(image, operation.factor, operation.bias);
     case ImageOp::AlphaFrom:
-        return operation.other && !operation.other->empty() ? alphaFrom(image, *operation.other) : image;
+        return swizzled(image, {Red, Green, Blue, OtherLuminance}, operation.other);
+    case ImageOp::Swizzle:
+        return swizzled(image, operation.components, operation.other);
+    case ImageOp::Resize:
+        return scaleByCoverage(image, operation.extent[0], operation.extent[1], operation.extent[2]);
     case ImageOp::Invert:
         return colorless ? image : inverted(std::move(image));
     case ImageOp::Luminance:
-        return colorless ? image : toLuminance(image);
+        return colorless ? image : swizzled(image, {Luminance, Luminance, Luminance, Alpha});
     case ImageOp::LuminanceToAlpha:
-        return colorless ? image : luminanceToAlpha(image);
+        return colorless ? image : swizzled(image, {Red, Green, Blue, Luminance});
+    case ImageOp::Premultiply:
+        return colorless ? image : premultiplied(image);
+    case ImageOp::Spread:
+        return withColorsSpread(std::move(image));
     case ImageOp::Sharpen:
         return colorless ? image : sharpened(image, operation.amount);
+    case ImageOp::Normals:
+        return colorless ? image : normalsOf(image, operation.amount, operation.topFirst);
     }
     return image;
 }

@@ -172,15 +172,29 @@ struct GivenLevel {
 /// An operation on all levels of a texture's image before the upload.
 struct ImageStep {
     ImageOp op = ImageOp::Scale;
-    glm::vec4 factor{1};                     ///< for Scale
-    glm::vec4 bias{0};                       ///< for Scale
-    float amount = 1;                        ///< for Sharpen
-    SourceKind source = SourceKind::Pattern; ///< for AlphaFrom, like the next two; not LightDepth
+    glm::vec4 factor{1};                        ///< for Scale
+    glm::vec4 bias{0};                          ///< for Scale
+    float amount = 1;                           ///< for Sharpen and Normals
+    ComponentSource red = ComponentSource::Red; ///< for Swizzle, like the next three
+    ComponentSource green = ComponentSource::Green;
+    ComponentSource blue = ComponentSource::Blue;
+    ComponentSource alpha = ComponentSource::Alpha;
+    float share = 0.5F;                      ///< for Resize: of each extent, rounded down, at least one texel
+    int width = 0;                           ///< for Resize, of the base level; 0: by the share
+    int height = 0;                          ///< likewise
+    SourceKind source = SourceKind::Pattern; ///< of another image, like the next two; not LightDepth
     Pattern pattern = Pattern::Checker;
     std::string file{};
 
     bool operator==(const ImageStep&) const = default;
 };
+
+/// Whether a step reads another image.
+[[nodiscard]] inline bool readsOther(const ImageStep& step) {
+    return step.op == ImageOp::AlphaFrom ||
+           (step.op == ImageOp::Swizzle &&
+            (isOfOther(step.red) || isOfOther(step.green) || isOfOther(step.blue) || isOfOther(step.alpha)));
+}
 
 /// A texture object: its images and glTexParameter state.
 struct Texture : SamplerState {
@@ -199,6 +213,7 @@ struct Texture : SamplerState {
     MipPolicy mipmaps = MipPolicy::None;
     MipFilter mipFilter = MipFilter::Box;
     bool mipGamma = false;
+    float mipCoverage = 0; ///< above 0: an alpha test's reference, whose coverage generated levels keep
     NpotPolicy npot = NpotPolicy::Keep;
     float priority = 1;
     std::vector<GivenLevel> levels{};     ///< 1, 2, 3, …: for MipPolicy::Given
@@ -360,7 +375,7 @@ template<>
 struct EnumTable<SourceKind> {
     static constexpr std::span<const EnumRow> rows = sourceKindRows;
 };
-/// The sources of a level's image and of alpha's: a pattern or a file.
+/// The sources of a level's image and of a step's other one: a pattern or a file.
 inline constexpr std::span<const EnumRow> pictureSourceRows = std::span(sourceKindRows).first(2);
 template<>
 struct EnumTable<MatrixOp> {

@@ -63,8 +63,7 @@ void forEachPicture(AScene& scene, Visit visit) {
                   texture.mipmaps == MipPolicy::Given, fmt::format("{}levels[{}].file", path, level));
         for (std::size_t step = 0; step < texture.preparation.size(); ++step)
             visit(texture.preparation[step].source, texture.preparation[step].file,
-                  texture.preparation[step].op == ImageOp::AlphaFrom,
-                  fmt::format("{}preparation[{}].file", path, step));
+                  readsOther(texture.preparation[step]), fmt::format("{}preparation[{}].file", path, step));
     }
 }
 
@@ -82,8 +81,8 @@ bool changesItsPictures(const Scene& scene, const std::string& filePath) {
     const std::string texture = filePath.substr(0, filePath.find('.') + 1);
     return std::ranges::any_of(scene.timeline.keys, [&](const KeyFrame& key) {
         const std::string_view path = key.path;
-        return path.starts_with(texture) &&
-               (path.ends_with(".source") || path.ends_with(".mipmaps") || path.ends_with(".op"));
+        return path.starts_with(texture) && (path.ends_with(".source") || path.ends_with(".mipmaps") ||
+                                             path.starts_with(texture + "preparation["));
     });
 }
 
@@ -217,8 +216,7 @@ TexturePictures ImageSource::picturesOf(const Texture& texture) const {
             pictures.levels.push_back(find(level.source, level.pattern, level.file));
     }
     for (const ImageStep& step : texture.preparation)
-        pictures.others.push_back(step.op == ImageOp::AlphaFrom ? find(step.source, step.pattern, step.file)
-                                                                : nullptr);
+        pictures.others.push_back(readsOther(step) ? find(step.source, step.pattern, step.file) : nullptr);
     return pictures;
 }
 

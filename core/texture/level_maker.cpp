@@ -3,13 +3,14 @@
 #include "texplorer/image/border.h"
 #include "texplorer/image/depth_pixels.h"
 #include "texplorer/image/power_of_two.h"
-#include "texplorer/image/preparation.h"
 #include "texplorer/image/resample.h"
 #include "texplorer/image/stored_numbers.h"
 #include "texplorer/s3tc/surface_pixels.h"
 #include "texplorer/texture/image_budget.h"
 #include "texplorer/texture/late_flip.h"
 #include "texplorer/texture/target_image.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -77,16 +78,18 @@ std::vector<LevelPicture> LevelMaker::levelPictures() const {
     return pictures;
 }
 
-/// The part of a picture after all steps; visit(part) after each. `topFirst`: whether row 0 is the top one.
+/// The part of a picture after all steps; visit(part) after each.
 template<class Visit>
-Image LevelMaker::preparedPart(Image part, bool topFirst, int face, const Visit& visit) const {
+Image LevelMaker::preparedPart(Image part, const LevelPicture& picture, int face, const Visit& visit) const {
+    const bool topFirst = isTopFirst(picture);
     for (std::size_t i = 0; i < texture_.preparation.size() && !isStopped(); ++i) {
         const ImageStep& step = texture_.preparation[i];
-        const TextureImage* from = step.op == ImageOp::AlphaFrom ? pictures_.other(i) : nullptr;
+        const TextureImage* from = readsOther(step) ? pictures_.other(i) : nullptr;
         Image other;
         if (from && hasPixels(*from))
             other = decoded(*from, face, 0, from->topFirst != topFirst);
-        part = prepared(std::move(part), {step.op, step.factor, step.bias, step.amount, &other});
+        const PlannedLevel level{picture.number, part.width, part.height, part.depth};
+        part = prepared(std::move(part), operationOf(step, level, topFirst, &other));
         visit(part);
     }
     return part;
@@ -102,7 +105,7 @@ Image LevelMaker::pixels(const LevelPicture& picture, int face) const {
     };
     Image part = decoded(*picture.image, face, picture.fileLevel, turns(picture));
     show(part);
-    part = preparedPart(std::move(part), topFirst, face, show);
+    part = preparedPart(std::move(part), picture, face, show);
     if (texture_.transparency != Transparency::File)
         part = applyTransparency(std::move(part), texture_.transparency, stencil(texture_));
     // A line is the middle row of the picture as it is uploaded: it is taken after the flip.
@@ -112,7 +115,7 @@ Image LevelMaker::pixels(const LevelPicture& picture, int face) const {
 void LevelMaker::eachStep(const std::function<void(const Image&)>& visit) const {
     Image first = decoded(image_, 0, 0, turns(basePicture()));
     visit(first);
-    static_cast<void>(preparedPart(std::move(first), isTopFirst(basePicture()), 0, visit));
+    static_cast<void>(preparedPart(std::move(first), basePicture(), 0, visit));
 }
 
 /// Whether `pixels` and a policy's base would be a copy and nothing else.
@@ -152,7 +155,7 @@ void LevelMaker::takePicture(const LevelPicture& picture, int face) {
 
 /// The base, and what the policy makes of it.
 Result<void> LevelMaker::takeMade(int face) {
-    const MipOptions options{texture_.mipFilter, texture_.mipGamma, texture_.npot};
+    const MipOptions options{texture_.mipFilter, texture_.mipGamma, texture_.npot, texture_.mipCoverage};
     if (readsMemory() && readsFirst_ != ReadsFirst::No)
         return takeMadeOfRead(face, options);
     MipChain chain;
@@ -209,8 +212,19 @@ Result<void> LevelMaker::takePixels() {
     return readsMemory() && readsFirst_ == ReadsFirst::No ? readLevels() : Result<void>();
 }
 
-/// Each given level may name a picture as large as a file may be, and many textures may name the same one.
+/// Each given level may name a picture as large as a file may be, and many textures may name the same one. A
+/// step may enlarge a volume's slices.
 Result<void> LevelMaker::checkRoom() const {
+    PlannedLevel level = fullExtentsOf(basePicture());
+    for (std::size_t i = 0; i < texture_.preparation.size(); ++i) {
+        level = resizedBy(texture_.preparation[i], level);
+        const auto texels = static_cast<double>(level.width) * level.height * level.depth;
+        if (4 * texels > static_cast<double>(sceneImageBytes))
+            return fail(ErrorCode::TooLarge,
+                        Sentence("preparation[{0}]: an image of {1} texels needs more than {2}", i,
+                                 ProperName{fmt::format("{:.0f}", texels)},
+                                 ProperName{sceneImageBytesText()}));
+    }
     if (texture_.mipmaps != MipPolicy::Given)
         return {};
     std::uint64_t bytes = 0;
@@ -238,7 +252,7 @@ void LevelMaker::noteMissing() {
     }
     for (std::size_t i = 0; i < texture_.preparation.size(); ++i) {
         const ImageStep& step = texture_.preparation[i];
-        if (step.op == ImageOp::AlphaFrom && !holdsPicture(pictures_.other(i)))
+        if (readsOther(step) && !holdsPicture(pictures_.other(i)))
             note(Sentence("preparation[{0}]: {1}; skipped", i, reason(step.file)));
     }
 }

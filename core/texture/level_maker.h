@@ -8,6 +8,7 @@
 #include "texplorer/gl/sampling.h"
 #include "texplorer/image/cube_faces.h"
 #include "texplorer/texture/level_plan.h"
+#include "texplorer/texture/step_operation.h"
 #include "texplorer/texture/texture_levels.h"
 
 #include <functional>
@@ -119,6 +120,7 @@ private:
 
     [[nodiscard]] int levelCount() const;
     [[nodiscard]] std::vector<LevelPicture> levelPictures() const;
+    [[nodiscard]] PlannedLevel fullExtentsOf(const LevelPicture& picture) const;
     [[nodiscard]] PlannedLevel extentsOfPicture(const LevelPicture& picture) const;
     [[nodiscard]] PlannedLevel withoutOwnBorder(PlannedLevel level) const;
     [[nodiscard]] PlannedLevel extentsOfBase() const;
@@ -127,7 +129,8 @@ private:
     [[nodiscard]] Result<void> takeBlocks();
     [[nodiscard]] Image decoded(const TextureImage& image, int face, int level, bool turned) const;
     template<class Visit>
-    [[nodiscard]] Image preparedPart(Image part, bool topFirst, int face, const Visit& visit) const;
+    [[nodiscard]] Image preparedPart(Image part, const LevelPicture& picture, int face,
+                                     const Visit& visit) const;
     [[nodiscard]] Image pixels(const LevelPicture& picture, int face) const;
     [[nodiscard]] bool isTakenAsItIs(const LevelPicture& picture, const Surface& surface) const;
     [[nodiscard]] SharedSurface lend(const Surface& surface) const;

@@ -11,15 +11,23 @@
 
 namespace texplorer {
 
-/// The part of a picture that the target takes.
-PlannedLevel LevelMaker::extentsOfPicture(const LevelPicture& picture) const {
+/// The part of a picture that is prepared: for a line the whole picture.
+PlannedLevel LevelMaker::fullExtentsOf(const LevelPicture& picture) const {
     const Surface& surface = picture.image->surface(0, picture.fileLevel);
     if (cutsFaces(*picture.image)) {
         const auto [width, height] = cubeFaceExtents(widthOf(surface), heightOf(surface));
         return {picture.number, width, height, 1};
     }
-    return {picture.number, widthOf(surface), target_ == Target::Texture1D ? 1 : heightOf(surface),
+    return {picture.number, widthOf(surface), heightOf(surface),
             target_ == Target::Texture3D ? depthOf(surface) : 1};
+}
+
+/// The part of a picture that the target takes, after the preparation.
+PlannedLevel LevelMaker::extentsOfPicture(const LevelPicture& picture) const {
+    PlannedLevel level = fullExtentsOf(picture);
+    for (const ImageStep& step : texture_.preparation)
+        level = resizedBy(step, level);
+    return {level.number, level.width, target_ == Target::Texture1D ? 1 : level.height, level.depth};
 }
 
 /// What is left where the outermost texels are taken for the border.

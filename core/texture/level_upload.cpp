@@ -2,7 +2,6 @@
 
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/image/border.h"
-#include "texplorer/image/preparation.h"
 #include "texplorer/image/transparency.h"
 #include "texplorer/texture/level_maker.h"
 
@@ -37,8 +36,9 @@ PixelFormat LevelMaker::formatOfPixels() const {
     for (std::size_t i = 0; i < texture_.preparation.size(); ++i) {
         const ImageStep& step = texture_.preparation[i];
         const bool isThere = holdsPicture(pictures_.other(i));
-        texel = prepared(std::move(texel),
-                         {step.op, step.factor, step.bias, step.amount, isThere ? &other : nullptr});
+        Operation operation = operationOf(step, {}, false, isThere ? &other : nullptr);
+        operation.extent = {1, 1, 1};
+        texel = prepared(std::move(texel), operation);
     }
     return applyTransparency(std::move(texel), texture_.transparency, {}).format;
 }

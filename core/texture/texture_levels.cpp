@@ -85,6 +85,7 @@ Texture withGeneratedLevels(const Texture& texture) {
     Texture settings = texture;
     settings.mipmaps = MipPolicy::Generated;
     settings.mipFilter = MipFilter::Box;
+    settings.mipCoverage = 0;
     const bool isCompressed =
         texture.compression == Compression::Driver || texture.compression == Compression::Cached;
     const BaseFormat base = baseFormat(texture.internalFormat);

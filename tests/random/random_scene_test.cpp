@@ -201,7 +201,7 @@ TEST(RandomScenes, ReachEveryChoiceAndBothEndsOfEveryRow) {
         EXPECT_EQ(*counts.begin(), child->minCount) << child->key;
         EXPECT_EQ(*counts.rbegin(), child->maxCount) << child->key;
     }
-    // 32 rows of a texture, 24 of a model …: as many as the tables have, with those of the four coordinates
+    // 33 rows of a texture, 24 of a model …: as many as the tables have, with those of the four coordinates
     // counted separately and those of a material once.
     EXPECT_EQ(seen.choices.size() + seen.numbers.size() + seen.texts.size(), [] {
         std::size_t count = 0;

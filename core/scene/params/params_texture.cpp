@@ -81,6 +81,11 @@ constexpr std::array textureRows{
     param<&Texture::mipGamma>("mipGamma", N_("Mipmaps"), N_("Gamma-correct"), "",
                               N_("Whether colours are averaged as amounts of light, by the sRGB curve. Black "
                                  "and white then give 188, not 128.")),
+    param<&Texture::mipCoverage>(
+        "mipCoverage", N_("Mipmaps"), N_("Keep coverage"), "",
+        N_("An alpha test's reference: alpha of each level is scaled so that as much of it passes as of the "
+           "image itself. Far leaves then don't vanish."),
+        {0, 1, 0.005F, {}, N_("off")}),
     param<&Texture::npot>("npot", N_("Mipmaps"), N_("Non-power-of-two"), "",
                           N_("What is done with a size that is not a power of two before levels are made.")),
     param<&Texture::baseLevel>(
@@ -125,7 +130,7 @@ constexpr std::array textureRows{
         N_("How important it is to keep the texture in fast memory. It changes no pixel."),
         {0, 1, 0.005F, {}}),
 };
-static_assert(textureRows.size() == 32);
+static_assert(textureRows.size() == 33);
 
 constexpr ParamRow pictureSource(ParamRow row) {
     row.choices = pictureSourceRows;
@@ -155,18 +160,36 @@ constexpr std::array imageStepRows{
         N_("Added to red, green, blue and alpha after the factors (GL_RED_BIAS and so on)."),
         {-16, 16, 0.01F, {}}),
     param<&ImageStep::amount>("amount", N_("Step"), N_("Amount"), "",
-                              N_("How strongly the image is sharpened. 0 "
-                                 "changes nothing."),
+                              N_("How strongly the image is sharpened; for normals, how many texels high "
+                                 "white is. 0 changes nothing, or makes a plane."),
                               {0, 8, 0.01F, {}}),
+    param<&ImageStep::red>("red", N_("Step"), N_("Red from"), "",
+                           N_("The component that becomes red, of this image or of the other one.")),
+    param<&ImageStep::green>("green", N_("Step"), N_("Green from"), "",
+                             N_("The component that becomes green, of this image or of the other one.")),
+    param<&ImageStep::blue>("blue", N_("Step"), N_("Blue from"), "",
+                            N_("The component that becomes blue, of this image or of the other one.")),
+    param<&ImageStep::alpha>("alpha", N_("Step"), N_("Alpha from"), "",
+                             N_("The component that becomes alpha, of this image or of the other one.")),
+    param<&ImageStep::share>("share", N_("Step"), N_("Share"), "",
+                             N_("The factor of width and height, and of a volume's depth; the result is "
+                                "rounded down. 0.5 halves them."),
+                             {0, 1, 0.005F, {}}),
+    param<&ImageStep::width>("width", N_("Step"), N_("Width"), "",
+                             N_("The width of the base level, which the others halve; 0: by the share."),
+                             {0, 1024, 1, N_("texels"), N_("by the share")}),
+    param<&ImageStep::height>("height", N_("Step"), N_("Height"), "",
+                              N_("The height of the base level, which the others halve; 0: by the share."),
+                              {0, 1024, 1, N_("texels"), N_("by the share")}),
     pictureSource(param<&ImageStep::source>(
-        "source", N_("Step"), N_("Alpha's source"), "",
-        N_("Whether the image whose luminance becomes alpha is built in or read from a file."))),
-    param<&ImageStep::pattern>("pattern", N_("Step"), N_("Alpha's pattern"), "",
-                               N_("The built-in image that becomes alpha.")),
-    param<&ImageStep::file>("file", N_("Step"), N_("Alpha's file"), "",
-                            N_("The path of the image file that becomes alpha, relative to the scene file.")),
+        "source", N_("Step"), N_("Other source"), "",
+        N_("Whether the other image, which the step reads, is built in or read from a file."))),
+    param<&ImageStep::pattern>("pattern", N_("Step"), N_("Other pattern"), "",
+                               N_("The other image, if it is built in.")),
+    param<&ImageStep::file>("file", N_("Step"), N_("Other file"), "",
+                            N_("The path of the other image's file, relative to the scene file.")),
 };
-static_assert(imageStepRows.size() == 7 && imageStepRows.size() == build::memberCount<ImageStep>());
+static_assert(imageStepRows.size() == 14 && imageStepRows.size() == build::memberCount<ImageStep>());
 
 } // namespace
 

@@ -952,9 +952,9 @@ const Wrong wrongs[] = {
     {"PreparationIgnored", "preparation",
      [](Scene& s) { eachTexture(s, [](Texture& t) { t.preparation.clear(); }); }},
     {"PreparedBackwards", "preparation",
-     [](Scene& s) { eachTexture(s, [](Texture& t) { std::ranges::reverse(t.preparation); }); }},
+     [](Scene& s) { eachTexture(s, [](Texture& t) { std::ranges::reverse(t.preparation); }); }, nullptr, 132},
     {"PreparedByTheFirstStepAlone", "preparation",
-     [](Scene& s) { eachTexture(s, [](Texture& t) { t.preparation.resize(1); }); }},
+     [](Scene& s) { eachTexture(s, [](Texture& t) { t.preparation.resize(1); }); }, nullptr, 132},
     {"ImageBiasIgnored", "preparation",
      [](Scene& s) {
          eachTexture(s, [](Texture& t) {

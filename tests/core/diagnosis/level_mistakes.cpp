@@ -78,6 +78,12 @@ constexpr std::array levelRows{
                 s.texture().preparation = {{.op = ImageOp::AlphaFrom}, {.op = ImageOp::LuminanceToAlpha}};
             },
             [](Subject& s) { s.texture().preparation[1].op = ImageOp::Invert; }},
+    Mistake{"AlphaThatColoursDoNotDependOn", "lost-alpha", Hint, "textures[0].preparation[0]", "a later step",
+            [](Subject& s) {
+                s.texture().preparation = {{.op = ImageOp::AlphaFrom},
+                                           {.op = ImageOp::Swizzle, .alpha = ComponentSource::One}};
+            },
+            [](Subject& s) { s.texture().preparation[1].red = ComponentSource::Alpha; }},
     Mistake{"AlphaBeforeAStencil", "lost-alpha", Hint, "textures[0].preparation[0]",
             "the transparency \"Stencil by colour\" replaces alpha",
             [](Subject& s) {

@@ -60,6 +60,12 @@ Operation plain(ImageOp op) {
     return {.op = op};
 }
 
+using enum ComponentSource;
+
+Operation swizzle(ComponentSource red, ComponentSource green, ComponentSource blue, ComponentSource alpha) {
+    return {.op = ImageOp::Swizzle, .components = {red, green, blue, alpha}};
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, Operations,
     testing::Values(
@@ -118,7 +124,82 @@ INSTANTIATE_TEST_SUITE_P(
             Luminance8,
             {77},
             LuminanceAlpha8,
-            {77, 77}}),
+            {77, 77}},
+        // 200 * 128 / 255 = 100.4, 100.5 - 0.3, 0.5
+        Row{"Premultiply",
+            plain(ImageOp::Premultiply),
+            Rgba8,
+            {200, 100, 1, 128, 255, 9, 3, 0, 7, 8, 9, 255},
+            Rgba8,
+            {100, 50, 1, 128, 0, 0, 0, 0, 7, 8, 9, 255}},
+        Row{"PremultiplyOfGrey",
+            plain(ImageOp::Premultiply),
+            LuminanceAlpha8,
+            {200, 51},
+            LuminanceAlpha8,
+            {40, 51}},
+        Row{"PremultiplyOfTheOpaque", plain(ImageOp::Premultiply), Rgb8, {1, 2, 3}, Rgb8, {1, 2, 3}},
+        Row{"PremultiplyOfAlphaAlone", plain(ImageOp::Premultiply), Alpha8, {7}, Alpha8, {7}},
+        Row{"SwizzleExchangesRedAndBlue",
+            swizzle(Blue, Green, Red, Alpha),
+            Rgba8,
+            {1, 2, 3, 4},
+            Rgba8,
+            {3, 2, 1, 4}},
+        Row{"SwizzleOfOneComponentIsGrey",
+            swizzle(Green, Green, Green, One),
+            Rgba8,
+            {1, 2, 3, 4},
+            Luminance8,
+            {2}},
+        Row{"SwizzleOfRedToAlpha", swizzle(One, One, One, Red), Rgb8, {9, 2, 3}, LuminanceAlpha8, {255, 9}},
+        Row{"SwizzleWithoutColours", swizzle(Zero, Zero, Zero, Alpha), Rgba8, {1, 2, 3, 4}, Alpha8, {4}},
+        Row{"SwizzleOfAlphaAlone", swizzle(Red, Green, Blue, Alpha), Alpha8, {7}, Alpha8, {7}},
+        Row{"SwizzleOfAlphaToGrey", swizzle(Alpha, Alpha, Alpha, One), Alpha8, {7}, Luminance8, {7}},
+        Row{"SwizzleOfGreyStaysGrey", swizzle(Blue, Luminance, Red, Alpha), Luminance8, {7}, Luminance8, {7}},
+        Row{"SwizzleToBlack", swizzle(Zero, Zero, Zero, One), Rgb8, {1, 2, 3}, Luminance8, {0}},
+        Row{"SwizzleWithLuminance",
+            swizzle(Luminance, Zero, One, Luminance),
+            Rgb8,
+            {10, 20, 30},
+            Rgba8,
+            {18, 0, 255, 18}},
+        // one ring further the mean of 100 and 200
+        Row{"Spread",
+            plain(ImageOp::Spread),
+            LuminanceAlpha8,
+            {100, 9, 1, 0, 2, 0, 3, 0, 200, 1},
+            LuminanceAlpha8,
+            {100, 9, 100, 0, 150, 0, 200, 0, 200, 1}},
+        Row{"SpreadOfNothingVisible",
+            plain(ImageOp::Spread),
+            LuminanceAlpha8,
+            {1, 0, 2, 0},
+            LuminanceAlpha8,
+            {1, 0, 2, 0}},
+        Row{"SpreadOfTheOpaque", plain(ImageOp::Spread), Rgb8, {1, 2, 3}, Rgb8, {1, 2, 3}},
+        Row{"SpreadOfAlphaAlone", plain(ImageOp::Spread), Alpha8, {0, 7}, Alpha8, {0, 7}},
+        Row{"Resize",
+            {.op = ImageOp::Resize, .extent = {2, 1, 1}},
+            Luminance8,
+            {0, 100, 200, 90},
+            Luminance8,
+            {50, 145}},
+        // n / 2 + 1/2 of (0, 0, 1): 127.5, 127.5, 255
+        Row{"NormalsOfAPlane",
+            plain(ImageOp::Normals),
+            Luminance8,
+            {70, 70},
+            Rgb8,
+            {128, 128, 255, 128, 128, 255}},
+        // In the middle a slope of 1: 127.5 (1 - 0.7071), 127.5 (1 + 0.7071). At the edges, beyond which the
+        // image repeats, -1/2: 127.5 (1 + 0.4472), 127.5 (1 + 0.8944).
+        Row{"Normals",
+            {.op = ImageOp::Normals, .amount = 2.55F},
+            LuminanceAlpha8,
+            {0, 1, 100, 2, 200, 3},
+            Rgba8,
+            {185, 128, 242, 1, 37, 128, 218, 2, 185, 128, 242, 3}}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Scale, OfWhatIsNoNumberIsClamped) {
@@ -197,6 +278,50 @@ TEST(AlphaFrom, OfNoPictureIsNoChange) {
     const Image none;
     EXPECT_EQ(prepared(grey, plain(ImageOp::AlphaFrom)), grey);
     EXPECT_EQ(prepared(grey, {.op = ImageOp::AlphaFrom, .other = &none}), grey);
+}
+
+TEST(Swizzle, PacksComponentsOfTwoImages) {
+    const Image image = imageOf(Rgb8, 2, {1, 2, 3, 4, 5, 6});
+    // Two texels become one: red 10, green 20 and 40, alpha 30 and 50.
+    const Image other = imageOf(Rgba8, 4, {10, 20, 0, 30, 10, 40, 0, 50, 90, 0, 0, 0, 90, 0, 0, 0});
+    const Image made = prepared(
+        image,
+        {.op = ImageOp::Swizzle, .components = {OtherGreen, Blue, OtherAlpha, OtherRed}, .other = &other});
+    EXPECT_EQ(made.format, Rgba8);
+    EXPECT_EQ(bytesOf(made), (Bytes8{30, 3, 40, 10, 0, 6, 0, 90}));
+}
+
+TEST(Swizzle, NeedsTheOtherImageOnlyIfItReadsIt) {
+    const Image image = imageOf(Rgb8, 1, {1, 2, 3});
+    EXPECT_EQ(prepared(image, swizzle(OtherRed, Green, Blue, Alpha)), image);
+    EXPECT_EQ(bytesOf(prepared(image, swizzle(One, Green, Blue, Alpha))), (Bytes8{255, 2, 3}));
+}
+
+// 90 and 30 are visible, at two corners. Ring 1 is the mean of those that touch it, and ring 2 of ring 1.
+TEST(Spread, GoesRingByRing) {
+    const Image image = imageOf(LuminanceAlpha8, 3,
+                                {90, 1, 5, 0, 30, 255, //
+                                 5, 0, 5, 0, 5, 0,     //
+                                 5, 0, 5, 0, 5, 0});
+    EXPECT_EQ(bytesOf(prepared(image, plain(ImageOp::Spread))), (Bytes8{90, 1, 60, 0, 30, 255, //
+                                                                        90, 0, 60, 0, 30, 0,   //
+                                                                        75, 0, 60, 0, 45, 0}));
+}
+
+TEST(Spread, StaysInItsSlice) {
+    const Image image = imageOf(LuminanceAlpha8, 1, {90, 1, 5, 0}, 2);
+    EXPECT_EQ(prepared(image, plain(ImageOp::Spread)), image);
+}
+
+TEST(Normals, PointUpWhereHeightsFallUpwards) {
+    const Image image = imageOf(Luminance8, 1, {200, 100, 0});
+    const Operation operation{.op = ImageOp::Normals, .amount = 2.55F};
+    const Bytes8 bytes = bytesOf(prepared(image, operation));
+    EXPECT_EQ(Bytes8(bytes.begin() + 3, bytes.begin() + 6), (Bytes8{128, 218, 218}));
+    Operation topFirst = operation;
+    topFirst.topFirst = true;
+    const Bytes8 turned = bytesOf(prepared(image, topFirst));
+    EXPECT_EQ(Bytes8(turned.begin() + 3, turned.begin() + 6), (Bytes8{128, 37, 218}));
 }
 
 TEST(ImageOps, OfAnEmptyImageStayEmpty) {

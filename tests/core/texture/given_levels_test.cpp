@@ -323,6 +323,16 @@ TEST_F(PreparedTexture, IsPreparedBeforeItsTransparencyIsFound) {
     EXPECT_EQ(image.pixels.at(1), std::byte{0});
 }
 
+TEST_F(PreparedTexture, GrowsNoLargerThanAnImageMayBe) {
+    give("base", flat(1, 1, 1));
+    images_.put("base", Image::uninitialised(PixelFormat::Luminance8, 1, 1, 1024));
+    texture_.preparation = {{.op = ImageOp::Resize, .share = 1, .width = 1024, .height = 1024}};
+    const auto levels = prepareLevels(texture_, images_.picturesOf(texture_), Target::Texture3D);
+    ASSERT_FALSE(levels);
+    EXPECT_EQ(levels.error().code, ErrorCode::TooLarge);
+    EXPECT_EQ(levels.error().message, "preparation[0]: an image of 1073741824 texels needs more than 2 GiB");
+}
+
 TEST_F(PreparedTexture, TakesAlphaTheRightWayUp) {
     give("base", column("abcd"));
     images_.put("mask", fileOf(column("wxyz")));

@@ -88,6 +88,29 @@ class Programs:
                     program = said(TEXSHOT, "emit", *case.words, "--as", self.FLAVOUR.name)
                     self.assertEqual("glPixelTransferf(GL_RED_SCALE" in program, self.FLAVOUR is FIXED and case.name in scaled)
 
+    def test_has_prepared_texels(self):
+        """Steps that no call of OpenGL makes, and levels that keep their coverage."""
+        swizzle = {"op": "swizzle", "red": "other-green", "green": "red", "blue": "zero", "alpha": "luminance", "pattern": "brick"}
+        prepared = {"swizzle": [swizzle], "premultiply": [{"op": "premultiply"}], "spread": [{"op": "spread"}],
+                    "resize": [{"op": "resize", "share": 0.3}, {"op": "resize", "share": 0.5, "width": 40}],
+                    "normals": [{"op": "normals", "amount": 4}], "coverage": []}
+        with tempfile.TemporaryDirectory() as folder:
+            cases = []
+            for name, steps in prepared.items():
+                scene = Path(folder) / f"short-{name}.json"
+                scene.write_text(json.dumps({
+                    "version": 1, "models": [{"shape": "quad"}, {"shape": "cube", "size": 0.2, "position": [1.2, 0, 0]}],
+                    "textures": [{"pattern": "tree", "minFilter": "GL_LINEAR_MIPMAP_LINEAR", "mipmaps": "generated",
+                                  "mipCoverage": 0.5 if name == "coverage" else 0, "preparation": steps}],
+                    "passes": [{"depthTest": True, "alphaTest": True, "alphaFunc": "GL_GREATER", "alphaRef": 0.5,
+                                "units": [{"enabled": True, "envMode": "GL_REPLACE"}]}]}))
+                cases.append(Case(name, (str(scene),), Path(folder) / f"{name}.json"))
+                written(TEXSHOT, cases[-1])
+            proof = Proof(TEXSHOT, self.FLAVOUR, self.capture, Path(KEEP) / "prepared")
+            for case, verdict in zip(cases, proof.of_all(cases)):
+                with self.subTest(case.name):
+                    self.assertEqual((verdict.wrong, verdict.refused), ("", ""))
+
     def test_reads_files(self):
         """BMP, TGA and DDS files by the lines that the program has for them: odd rows, both orders of rows, levels of one and
         two rows, blocks that are turned around."""

@@ -30,6 +30,25 @@ TEST_F(TextureLists, AStepIsAddedAndShowsItsPicture) {
     EXPECT_TRUE(texture().preparation.empty());
 }
 
+TEST_F(TextureLists, AStepShowsItsOwnParametersAlone) {
+    const auto shows = [&](std::string_view key) {
+        return has("textures[0].preparation[0]." + std::string(key));
+    };
+    texture().preparation = {{.op = ImageOp::Swizzle}};
+    frames(2);
+    EXPECT_TRUE(shows("red"));
+    EXPECT_FALSE(shows("source")) << "no component is the other image's";
+    EXPECT_FALSE(shows("share"));
+    texture().preparation[0].alpha = ComponentSource::OtherRed;
+    frames(2);
+    EXPECT_TRUE(shows("source"));
+    texture().preparation = {{.op = ImageOp::Resize}};
+    frames(2);
+    EXPECT_TRUE(shows("share"));
+    EXPECT_TRUE(shows("width"));
+    EXPECT_FALSE(shows("red"));
+}
+
 TEST_F(TextureLists, StepsChangePlacesAndGo) {
     texture().preparation = {{.op = ImageOp::Invert}, {.op = ImageOp::Sharpen}};
     frames(2);

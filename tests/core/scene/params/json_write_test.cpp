@@ -106,6 +106,7 @@ TEST(WriteScene, ReadsLikeThis) {
       "mipmaps": "none",
       "mipFilter": "box",
       "mipGamma": false,
+      "mipCoverage": 0,
       "npot": "keep",
       "baseLevel": 0,
       "maxLevel": 1000,
