@@ -178,13 +178,15 @@ const Option& addSceneArgument(Command& command, SceneArgument& argument, std::v
         "--example", argument.example,
         fmt::format("Instead of a scene: a built-in example, one of {}.", fmt::join(exampleNames(), ", ")),
         {.value = "NAME", .excludes = &file, .offers = {exampleNames}});
-    command.option("--set", argument.assignments,
-                   "Change one parameter, as in 'textures[0].minFilter=GL_NEAREST' (quoted because of the "
-                   "brackets). Can be repeated; \"texshot params\" lists every path.",
-                   {.value = "PATH=VALUE",
-                    .oneEach = true,
-                    .check = checkAssignment,
-                    .offers = {.assigned = assignedParams}});
+    command.option(
+        "--set", argument.assignments,
+        "Change one parameter, as in 'textures[0].minFilter=GL_NEAREST' (quoted because of the "
+        "brackets); [+] for an index appends an element. Can be repeated; \"texshot params\" lists "
+        "every path.",
+        {.value = "PATH=VALUE",
+         .oneEach = true,
+         .check = checkAssignment,
+         .offers = {.assigned = assignedParams}});
     command.option(
         "--preset", argument.presets,
         "A preset such as alpha-test, applied after every --set; or several, separated by commas. Can be "

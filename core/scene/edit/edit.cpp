@@ -123,8 +123,9 @@ Result<void> make(Scene& scene, const edit::Replace& replace) {
 /// Whether it may set parameters that have key frames.
 bool setsValues(const Edit& edit) {
     const auto* replace = std::get_if<edit::Replace>(&edit);
-    return std::holds_alternative<edit::Set>(edit) || std::holds_alternative<edit::ApplyPreset>(edit) ||
-           (replace && !replace->paths.empty());
+    const auto* set = std::get_if<edit::Set>(&edit); // a new element has no keys
+    return (set && set->path.find(newElement) == std::string::npos) ||
+           std::holds_alternative<edit::ApplyPreset>(edit) || (replace && !replace->paths.empty());
 }
 
 /// Whether it copies values, but no key frames.

@@ -352,7 +352,32 @@ Result<std::string> getParam(const Scene& scene, std::string_view path) {
     return formatValue(*place->row, place->vertex ? elementAlone(value, *place->vertex) : value);
 }
 
+namespace {
+
+/// "textures[0].preparation[+].op": in a new last element of the list.
+Result<void> setInNewElement(Scene& scene, std::string_view path, std::size_t index, std::string_view text) {
+    const std::string_view listPath = path.substr(0, index);
+    Scene tried = scene; // if the value does not fit, there is no new element
+    const Result<ListAt> list = listAt(tried, listPath);
+    if (!list)
+        return fail(list.error());
+    const std::size_t count = list->size();
+    if (!list->row->insert || count >= list->row->maxCount)
+        return fail(ErrorCode::TooLarge, Sentence("it already has {0} elements", count),
+                    std::string(listPath));
+    list->row->insert(list->owner, count, nullptr);
+    Result<void> done = setParam(
+        tried, fmt::format("{}[{}]{}", listPath, count, path.substr(index + newElement.size())), text);
+    if (done)
+        scene = std::move(tried);
+    return done;
+}
+
+} // namespace
+
 Result<void> setParam(Scene& scene, std::string_view path, std::string_view text) {
+    if (const std::size_t index = path.find(newElement); index != std::string_view::npos)
+        return setInNewElement(scene, path, index, text);
     const auto place = Walker(scene, path).walk();
     if (!place)
         return fail(place.error());

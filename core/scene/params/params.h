@@ -202,7 +202,9 @@ struct ListAt {
 /// Gets or sets one parameter by its path, "passes[0].units[1].envMode". A list of texture coordinates can be
 /// indexed: "models[0].texCoords0[5]" is a single coordinate of 2 to 4 numbers (an empty list is first filled
 /// from the mesh). So can the lists of a mesh, "models[0].mesh.positions[5]", for the elements that they
-/// have. The error names the part of the path that does not exist, and what does.
+/// have. The error names the part of the path that does not exist, and what does. A path that is set may have
+/// `newElement` for an index, "textures[0].preparation[+].op": it appends an element to the list.
+inline constexpr std::string_view newElement = "[+]";
 [[nodiscard]] Result<std::string> getParam(const Scene& scene, std::string_view path);
 [[nodiscard]] Result<void> setParam(Scene& scene, std::string_view path, std::string_view text);
 

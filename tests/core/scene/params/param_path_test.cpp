@@ -60,6 +60,12 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"IndexOfMatrix", "passes[0].units[0].matrix[0].op", "scale",
                 "passes[0].units[0].matrix[0]: expected an existing index, counted from 0; the "
                 "unit has 0"},
+        Refusal{"NewUnit", "passes[0].units[+].envMode", "GL_ADD",
+                "passes[0].units: it already has 4 elements"},
+        Refusal{
+            "NewStepOfNothing", "textures[0].preparation[+].op", "nothing",
+            "textures[0].preparation[0].op: expected one of scale, invert, luminance, luminance-to-alpha, "
+            "alpha-from, swizzle, premultiply, spread, sharpen, resize, normals, found \"nothing\""},
         Refusal{"IndexOnAStruct", "view[0].azimuth", "1", "view[0]: it is not a list: expected no index"},
         Refusal{"IndexOnAValue", "view.azimuth[0]", "1",
                 "view.azimuth[0]: it is a single value: expected no index"},
@@ -122,6 +128,17 @@ TEST(ParamPath, SetsOneParameter) {
     Scene expected = defaultScene();
     expected.textures[0].minFilter = MinFilter::Nearest;
     EXPECT_EQ(scene, expected);
+}
+
+TEST(ParamPath, SetsAParameterOfANewElement) {
+    Scene scene = defaultScene();
+    ASSERT_TRUE(setParam(scene, "textures[0].preparation[+].op", "spread"));
+    ASSERT_TRUE(setParam(scene, "textures[0].preparation[+].amount", "3"));
+    EXPECT_EQ(scene.textures[0].preparation,
+              (std::vector<ImageStep>{{.op = ImageOp::Spread}, {.op = ImageOp::Scale, .amount = 3}}));
+    scene.textures[0].preparation.resize(maxImageSteps);
+    EXPECT_FALSE(setParam(scene, "textures[0].preparation[+].op", "spread"));
+    EXPECT_FALSE(getParam(scene, "textures[0].preparation[+].op")) << "there is nothing to read";
 }
 
 TEST(ParamPath, TexCoordsOfAModelAreFilledFromItsMeshFirst) {
