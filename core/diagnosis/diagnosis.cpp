@@ -107,9 +107,9 @@ std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images, con
     std::vector<Finding> findings;
     Report report(findings);
     for (const std::span<const Rule> rules :
-         {textureRules(), uploadRules(), formatRules(), unitRules(), matrixRules(), cubeRules(),
-          combineRules(), passRules(), modelRules(), vertexRules(), lightRules(), sideRules(), fogRules(),
-          depthRules(), textureEffectRules()}) {
+         {textureRules(), sizeRules(), uploadRules(), formatRules(), unitRules(), matrixRules(), cubeRules(),
+          combineRules(), passRules(), alphaRules(), modelRules(), vertexRules(), lightRules(), sideRules(),
+          fogRules(), depthRules(), textureEffectRules()}) {
         for (const Rule& rule : rules) {
             report.begin(rule.name, rule.severity, rule.reportedByRenderer);
             rule.find(about, report);

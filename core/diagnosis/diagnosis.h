@@ -83,6 +83,9 @@ struct Finding {
 [[nodiscard]] std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images,
                                             const DriverFacts& driver = {});
 
+/// Whether the diagnosis looks at texels: then the images of `diagnose` should not be outlines alone.
+[[nodiscard]] bool looksAtTexels(const Scene& scene);
+
 /// Makes the assignments of a fix. If one is not possible (the scene has changed), the scene is unchanged.
 [[nodiscard]] Result<void> apply(const Fix& fix, Scene& scene);
 

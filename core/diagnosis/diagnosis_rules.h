@@ -88,6 +88,7 @@ struct Rule {
 };
 
 [[nodiscard]] std::span<const Rule> textureRules();       ///< errors in textures
+[[nodiscard]] std::span<const Rule> sizeRules();          ///< textures that a driver has no room for
 [[nodiscard]] std::span<const Rule> formatRules();        ///< effects of internal formats on colours
 [[nodiscard]] std::span<const Rule> uploadRules();        ///< uploads that don't fit the memory
 [[nodiscard]] std::span<const Rule> textureEffectRules(); ///< texture settings without effect
@@ -96,6 +97,7 @@ struct Rule {
 [[nodiscard]] std::span<const Rule> cubeRules();   ///< the edges of cube faces
 [[nodiscard]] std::span<const Rule> combineRules();
 [[nodiscard]] std::span<const Rule> passRules();
+[[nodiscard]] std::span<const Rule> alphaRules(); ///< what filters and levels do to alpha
 [[nodiscard]] std::span<const Rule> modelRules();
 [[nodiscard]] std::span<const Rule> vertexRules(); ///< normals and coordinates: missing values or precision
 [[nodiscard]] std::span<const Rule> lightRules();  ///< and materials
@@ -110,6 +112,12 @@ struct Rule {
 [[nodiscard]] bool hasMatrix(const Scene& scene, std::size_t pass, std::size_t unit);
 /// Whether a later pass that uses the unit keeps or pushes what is left of its matrix.
 [[nodiscard]] bool isLeftMatrixRead(const Scene& scene, std::size_t pass, std::size_t unit);
+
+/// What names a texture's image.
+[[nodiscard]] Key imageKey(const Texture& texture);
+
+/// Appends a step to the preparation of "textures[0].".
+[[nodiscard]] edit::Set newStep(const std::string& texture, ImageOp op);
 
 /// "passes[0].units[1]."
 [[nodiscard]] std::string unitPath(std::size_t pass, std::size_t unit);
@@ -134,6 +142,12 @@ void forEachUnit(const Scene& scene, Visit visit) {
         for (std::size_t u = 0; u < maxUnits; ++u)
             visit(scene.passes[p].units[u], unitPath(p, u), p);
     }
+}
+
+template<class Visit> ///< visit(texture, its facts, "textures[0].")
+void forEachTexture(const Case& about, Visit visit) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i)
+        visit(about.scene.textures[i], about.textures[i], elementOf<&Scene::textures>(i) + ".");
 }
 
 /// The name of an enumerator, in GL or in scene files.

@@ -2,7 +2,6 @@
 
 #include "texplorer/diagnosis/applied_texture.h"
 #include "texplorer/diagnosis/diagnosis_rules.h"
-#include "texplorer/image/power_of_two.h"
 #include "texplorer/reference/sampling/lod.h"
 #include "texplorer/scene/animation.h"
 #include "texplorer/scene/params/param_text.h"
@@ -14,25 +13,6 @@
 
 namespace texplorer::diagnosis {
 namespace {
-
-template<class Visit> ///< visit(texture, its facts, "textures[0].")
-void forEachTexture(const Case& about, Visit visit) {
-    for (std::size_t i = 0; i < about.textures.size(); ++i)
-        visit(about.scene.textures[i], about.textures[i], elementOf<&Scene::textures>(i) + ".");
-}
-
-/// What names the image.
-Key imageKey(const Texture& texture) {
-    switch (texture.source) {
-    case SourceKind::Pattern:
-        break;
-    case SourceKind::File:
-        return keyOf<&Texture::file>;
-    case SourceKind::LightDepth:
-        return keyOf<&Texture::depthSize>;
-    }
-    return keyOf<&Texture::pattern>;
-}
 
 void missingFile(const Case& about, Report& report) {
     forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
@@ -290,68 +270,6 @@ void heldBackElsewhere(const Case& about, Report& report) {
     }
 }
 
-std::string extentsOf(const PlannedLevel& level) {
-    std::string text = fmt::format("{} × {}", level.width, level.height);
-    return level.depth > 1 ? fmt::format("{} × {}", text, level.depth) : text;
-}
-
-void nonPowerOfTwo(const Case& about, Report& report) {
-    if (about.driver.nonPowerOfTwo)
-        return;
-    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
-        const LevelPlan& plan = facts.targets.front().plan;
-        if (plan.levels.empty() ||
-            arePowersOfTwo(plan.levels.front().width, plan.levels.front().height, plan.levels.front().depth))
-            return;
-        std::vector<Fix> fixes;
-        if (texture.mipmaps != MipPolicy::FromFile)
-            fixes = {{N_("Scale it"), {{path + keyOf<&Texture::npot>(), nameOf(NpotPolicy::PowerOfTwo)}}}};
-        report.add(path + keyOf<&Texture::npot>(),
-                   Sentence("{0} texels: the driver supports powers of two only (no "
-                            "GL_ARB_texture_non_power_of_two)",
-                            ProperName{extentsOf(plan.levels.front())}),
-                   std::move(fixes));
-    });
-}
-
-void sizeLimit(const Case& about, Report& report) {
-    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
-        for (const TargetFacts& each : facts.targets) {
-            const int limit = about.driver.maxTexels(each.target);
-            if (each.plan.levels.empty())
-                continue;
-            const PlannedLevel& base = each.plan.levels.front();
-            if (std::max({base.width, base.height, base.depth}) <= limit)
-                continue;
-            report.add(path + imageKey(texture)(),
-                       Sentence("{0} texels exceed the driver's {1} for {2}: drawn without it",
-                                ProperName{extentsOf(base)}, limit, named(each.target)));
-        }
-    });
-}
-
-/// Section 3.8.1: level k may have what is left of the driver's largest texture, halved k times.
-void levelSizeLimit(const Case& about, Report& report) {
-    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
-        if (texture.mipmaps != MipPolicy::Given)
-            return;
-        for (const TargetFacts& each : facts.targets) {
-            const int limit = about.driver.maxTexels(each.target);
-            for (const PlannedLevel& level : each.plan.levels) {
-                const int most = limit >> level.number;
-                if (level.number == 0 || std::max({level.width, level.height, level.depth}) <= most)
-                    continue;
-                report.add(path + elementOf<&Texture::levels>(static_cast<std::size_t>(level.number) - 1),
-                           most == 0
-                               ? Sentence("the driver has no level {0}: uploaded without it", level.number)
-                               : Sentence("{0} texels exceed the driver's {1} for level {2}: uploaded "
-                                          "without it",
-                                          ProperName{extentsOf(level)}, most, level.number));
-            }
-        }
-    });
-}
-
 void lacksFormat(const Case& about, Report& report) {
     forEachTexture(about, [&](const Texture&, const TextureFacts& facts, const std::string& path) {
         const std::optional<BlockFormat>& blocks = facts.targets.front().plan.blocks;
@@ -406,14 +324,11 @@ void roughLambda(const Case& about, Report& report) {
 constexpr std::array textureRuleRows{
     Rule{"missing-file", Severity::Error, missingFile, true},
     Rule{"missing-part", Severity::Error, missingPart, true},
-    Rule{"size-limit", Severity::Error, sizeLimit, true},
-    Rule{"level-size-limit", Severity::Error, levelSizeLimit},
     Rule{"incomplete", Severity::Warning, incomplete},
     Rule{"lod-range", Severity::Warning, lodRange},
     Rule{"anisotropy-limit", Severity::Warning, anisotropyLimit, true},
     Rule{"held-back", Severity::Warning, heldBack, true},
     Rule{"held-back-elsewhere", Severity::Note, heldBackElsewhere},
-    Rule{"non-power-of-two", Severity::Warning, nonPowerOfTwo},
     Rule{"missing-format", Severity::Warning, lacksFormat, true},
     Rule{"border-refused", Severity::Error, refusedBorder},
     Rule{"lost-border", Severity::Warning, lostBorder},
@@ -421,6 +336,18 @@ constexpr std::array textureRuleRows{
 };
 
 } // namespace
+
+Key imageKey(const Texture& texture) {
+    switch (texture.source) {
+    case SourceKind::Pattern:
+        break;
+    case SourceKind::File:
+        return keyOf<&Texture::file>;
+    case SourceKind::LightDepth:
+        return keyOf<&Texture::depthSize>;
+    }
+    return keyOf<&Texture::pattern>;
+}
 
 std::span<const Rule> textureRules() {
     return textureRuleRows;

@@ -107,7 +107,7 @@ SharedImage farthestDepths(int size) {
 ImageSource::ImageSource(std::filesystem::path directory)
     : directory_(std::move(directory)) {}
 
-std::vector<Error> ImageSource::loadAll(const Scene& scene, std::size_t budget, Decoding decoding) {
+std::vector<Error> ImageSource::loadAll(const Scene& scene, Decoding decoding, std::size_t budget) {
     std::vector<Error> errors;
     std::map<FileFingerprint, Result<SharedImage>> read;
     std::size_t used = bytesOf(filesOf(scene));
@@ -137,14 +137,10 @@ std::vector<Error> ImageSource::loadAll(const Scene& scene, std::size_t budget, 
 }
 
 Result<void> ImageSource::load(const Scene& scene, std::size_t budget) {
-    std::vector<Error> errors = loadAll(scene, budget, Decoding::Pixels);
+    std::vector<Error> errors = loadAll(scene, Decoding::Pixels, budget);
     if (!errors.empty())
         return fail(std::move(errors.front()));
     return {};
-}
-
-std::vector<Error> ImageSource::loadOutlines(const Scene& scene, std::size_t budget) {
-    return loadAll(scene, budget, Decoding::Outline);
 }
 
 std::size_t ImageSource::bytesOf(const std::set<std::string>& files) const {

@@ -35,9 +35,10 @@ public:
     /// error is returned, with the parameter of the file in `where`.
     [[nodiscard]] Result<void> load(const Scene& scene, std::size_t budget = sceneImageBytes);
 
-    /// The same for outlines (DecodeLimits::pixels), which are enough for a diagnosis, but not for drawing.
-    /// Returns an error for each parameter whose file cannot be read, in order.
-    [[nodiscard]] std::vector<Error> loadOutlines(const Scene& scene, std::size_t budget = sceneImageBytes);
+    /// The same; also for outlines (DecodeLimits::pixels), which are enough for most of a diagnosis, but not
+    /// for drawing. Returns an error for each parameter whose file cannot be read, in order.
+    [[nodiscard]] std::vector<Error> loadAll(const Scene& scene, Decoding decoding,
+                                             std::size_t budget = sceneImageBytes);
 
     /// Sets the content of a file from memory: decoded elsewhere, or generated. `file` is spelled as in
     /// Texture::file; replaces earlier content.
@@ -106,7 +107,6 @@ public:
     bool operator==(const ImageSource&) const = default;
 
 private:
-    [[nodiscard]] std::vector<Error> loadAll(const Scene& scene, std::size_t budget, Decoding decoding);
     [[nodiscard]] std::shared_ptr<const TextureImage> find(SourceKind source, Pattern pattern,
                                                            const std::string& file) const;
 

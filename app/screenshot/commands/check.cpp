@@ -121,7 +121,8 @@ ExitCode check(const Options& options) {
     auto opened = openScene(options.scene);
     if (!opened)
         return complain(opened.error().error, opened.error().code);
-    const std::vector<Error> reasons = opened->images.loadOutlines(opened->scene);
+    const Decoding decoding = looksAtTexels(opened->scene) ? Decoding::Pixels : Decoding::Outline;
+    const std::vector<Error> reasons = opened->images.loadAll(opened->scene, decoding);
     std::vector<Finding> findings = worthSaying(diagnose(opened->scene, opened->images), opened->scene);
     for (const Error& reason : reasons) {
         for (Finding& each : findings) {
@@ -149,7 +150,8 @@ void addCheck(CommandLine& line) {
                  "As JSON, for programs: severity, rule, path, message and fixes of each finding.");
     command.footer(
         "A line for each finding on standard output, errors first, with its fixes below it; then a note "
-        "for each recovered defect of an image file. Only the headers of images are read.\n"
+        "for each recovered defect of an image file. Only the headers of images are read, unless a pass "
+        "blends or tests alpha.\n"
         "Settings without effect are listed if they differ from the initial values of OpenGL and "
         "Texplorer.\n"
         "The driver is not used: \"texshot shot\" reports what it lacks.\n"

@@ -5,6 +5,40 @@ namespace {
 
 using enum Severity;
 
+/// A white disc on invisible black.
+void blendADisc(Subject& s) {
+    Image disc = Image::uninitialised(PixelFormat::LuminanceAlpha8, 16, 16);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x)
+            for (std::byte& each : disc.at(x, y))
+                each = std::byte{(x - 8) * (x - 8) + (y - 8) * (y - 8) < 36 ? std::uint8_t{255}
+                                                                            : std::uint8_t{0}};
+    s.texture().source = SourceKind::File;
+    s.texture().file = "disc.png";
+    s.images.put("disc.png", std::move(disc));
+    s.pass().blend = true;
+    s.pass().blendSrc = BlendFactor::SrcAlpha;
+    s.pass().blendDst = BlendFactor::OneMinusSrcAlpha;
+}
+
+/// One texel of eight is visible.
+void testDots(Subject& s) {
+    Image dots = Image::uninitialised(PixelFormat::LuminanceAlpha8, 64, 64);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) {
+            dots.at(x, y)[0] = std::byte{90};
+            dots.at(x, y)[1] = std::byte{(x + 3 * y) % 8 == 0 ? std::uint8_t{255} : std::uint8_t{0}};
+        }
+    s.texture().source = SourceKind::File;
+    s.texture().file = "dots.png";
+    s.images.put("dots.png", std::move(dots));
+    s.texture().mipmaps = MipPolicy::Generated;
+    s.texture().minFilter = MinFilter::LinearMipmapLinear;
+    s.pass().alphaTest = true;
+    s.pass().alphaFunc = CompareFunc::Greater;
+    s.pass().alphaRef = 0.5F;
+}
+
 constexpr std::array levelRows{
     Mistake{"TooFewLevels", "incomplete", Warning, "textures[0].mipmaps", "level 2 is missing",
             [](Subject& s) {
@@ -99,7 +133,31 @@ constexpr std::array levelRows{
             [](Subject& s) { s.texture().preparation[0].op = ImageOp::AlphaFrom; }},
     Mistake{"FactorOfAStepWithoutOne", "other-texture-choice", Unused, "textures[0].preparation[0].factor",
             "Sharpen", [](Subject& s) { s.texture().preparation = {{.op = ImageOp::Sharpen}}; },
-            [](Subject& s) { s.texture().preparation[0].op = ImageOp::Scale; }}};
+            [](Subject& s) { s.texture().preparation[0].op = ImageOp::Scale; }},
+    Mistake{"OtherImageOfASwizzleOfOne", "other-texture-choice", Unused, "textures[0].preparation[0].source",
+            "Swizzle", [](Subject& s) { s.texture().preparation = {{.op = ImageOp::Swizzle}}; },
+            [](Subject& s) { s.texture().preparation[0].red = ComponentSource::OtherRed; }},
+    Mistake{"CoverageOfTheDriver", "other-texture-choice", Unused, "textures[0].mipCoverage",
+            "glGenerateMipmap", [](Subject& s) { s.texture().mipmaps = MipPolicy::GenerateMipmap; },
+            [](Subject& s) { s.texture().mipmaps = MipPolicy::Generated; }},
+    Mistake{"Fringe", "fringe", Note, "textures[0].preparation", "fringe", blendADisc},
+    Mistake{"FringeOfTheNearest", "fringe", Note, "textures[0].preparation", "fringe", blendADisc,
+            [](Subject& s) {
+                s.texture().magFilter = MagFilter::Nearest;
+                s.texture().minFilter = MinFilter::Nearest;
+            }},
+    Mistake{"PremultipliedButNotBlendedSo", "fringe", Note, "textures[0].preparation", "too dark",
+            [](Subject& s) {
+                blendADisc(s);
+                s.texture().preparation = {{.op = ImageOp::Premultiply}};
+            }},
+    Mistake{"CoverageLost", "lost-coverage", Note, "textures[0].mipCoverage",
+            "passes 13 % of the image, but only 0 % of level 1", testDots},
+    Mistake{"CoverageLostByGlu", "lost-coverage", Note, "textures[0].mipmaps", "0 % of level 1",
+            [](Subject& s) {
+                testDots(s);
+                s.texture().mipmaps = MipPolicy::Glu;
+            }}};
 
 } // namespace
 

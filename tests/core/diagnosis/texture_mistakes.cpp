@@ -114,6 +114,11 @@ constexpr std::array textureRows{
                 s.showFile(64, 2);
             },
             [](Subject& s) { s.showFile(32, 2); }},
+    Mistake{"TooLargeUnlessScaledDown", "size-limit", Error, "textures[0].file", "64 × 2 texels",
+            [](Subject& s) {
+                s.driver.maxTextureSize = 31;
+                s.showFile(64, 2);
+            }},
     Mistake{"LevelTooLarge", "level-size-limit", Error, "textures[0].levels[1]",
             "64 × 2 texels exceed the driver's 32 for level 2",
             [](Subject& s) {

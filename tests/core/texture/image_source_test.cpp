@@ -155,15 +155,15 @@ TEST_F(Images, DifferentFilesAreAddedUpAgainstTheBudget) {
     EXPECT_EQ(source_.find(scene.textures[2]), nullptr);
     EXPECT_FALSE(source_.load(scene, 8)) << "what is loaded counts";
     EXPECT_TRUE(source_.load(sceneOf({scene.textures[2]}), 8)) << "what the scene doesn't name doesn't";
-    const auto errors = ImageSource(folder_.path()).loadOutlines(scene, 8);
+    const auto errors = ImageSource(folder_.path()).loadAll(scene, Decoding::Outline, 8);
     ASSERT_EQ(errors.size(), 1U);
     expectRefusal(errors[0]);
 }
 
 TEST_F(Images, AnOutlineHasExtentsAndNoPixels) {
     const Texture red = fileTexture("red.bmp");
-    const auto errors =
-        source_.loadOutlines(sceneOf({red, fileTexture("text.bmp"), fileTexture("none.bmp"), Texture{}}));
+    const auto errors = source_.loadAll(
+        sceneOf({red, fileTexture("text.bmp"), fileTexture("none.bmp"), Texture{}}), Decoding::Outline);
     ASSERT_EQ(errors.size(), 2U);
     EXPECT_EQ(errors[0].where.steps().front().text, "textures[1].file");
     EXPECT_EQ(errors[1].where.steps().front().text, "textures[2].file");
@@ -198,7 +198,7 @@ TEST_F(Images, LevelsAndPreparationNameFilesToo) {
 }
 
 TEST_F(Images, AFileThatALevelWantsMustBeNamed) {
-    const auto errors = source_.loadOutlines(sceneOf({levelsTexture("", "")}));
+    const auto errors = source_.loadAll(sceneOf({levelsTexture("", "")}), Decoding::Outline);
     ASSERT_EQ(errors.size(), 2U);
     EXPECT_EQ(errors[0].where.steps().front().text, "textures[0].levels[1].file");
     EXPECT_EQ(errors[1].where.steps().front().text, "textures[0].preparation[1].file");
