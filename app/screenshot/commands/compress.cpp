@@ -2,6 +2,7 @@
 #include "app/screenshot/arguments/image_files.h"
 #include "app/screenshot/arguments/input.h"
 #include "app/screenshot/arguments/option_use.h"
+#include "app/screenshot/arguments/prepare_argument.h"
 #include "app/screenshot/arguments/texture_input.h"
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/long_work.h"
@@ -11,6 +12,7 @@
 #include "texplorer/image/mipmaps.h"
 #include "texplorer/s3tc/encode.h"
 #include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/scene/params/keys.h"
 #include "texplorer/texture/texture_levels.h"
 
 #include <fmt/format.h>
@@ -35,6 +37,8 @@ struct CompressOptions {
     bool gamma = false;
     bool powerOfTwo = false;
     bool cube = false;
+    PrepareArgument prepare;
+    std::string coverage;
 };
 
 /// The formats that can be written, by the names that DirectX gave them.
@@ -86,7 +90,18 @@ struct Choices {
     EncodeQuality quality = EncodeQuality::Normal;
     std::optional<MipFilter> mips = MipFilter::Box;
     bool keepsLevels = true; ///< those that a file has
+    std::vector<ImageStep> steps;
+    float coverage = 0; ///< 0: as it becomes
 };
+
+/// An alpha test's reference.
+Result<float> coverageOf(const std::string& text) {
+    const Result<Value> value =
+        parseValue(*findParam(textureTable(), keyOf<&Texture::mipCoverage>()), text.empty() ? "0" : text);
+    if (!value)
+        return fail(value.error().code, value.error().message, atOption("--coverage"));
+    return std::get<float>(*value);
+}
 
 Result<Choices> choicesOf(const CompressOptions& options) {
     Choices choices;
@@ -98,6 +113,14 @@ Result<Choices> choicesOf(const CompressOptions& options) {
     if (!quality)
         return fail(quality.error());
     choices.quality = *quality;
+    Result<std::vector<ImageStep>> steps = stepsOf(options.prepare);
+    if (!steps)
+        return fail(steps.error());
+    choices.steps = *std::move(steps);
+    const Result<float> coverage = coverageOf(options.coverage);
+    if (!coverage)
+        return fail(coverage.error());
+    choices.coverage = *coverage;
     choices.keepsLevels = options.mips.empty();
     if (choices.keepsLevels)
         return choices;
@@ -119,7 +142,9 @@ bool keepsLevels(const TextureImage& texture, const CompressOptions& options, co
     const bool isCut = options.cube && texture.faces == 1;
     const bool isScaled =
         options.powerOfTwo && !(isPowerOfTwo(widthOf(base)) && isPowerOfTwo(heightOf(base)));
-    return texture.levels > 1 && choices.keepsLevels && !isCut && !isScaled;
+    const bool isResized =
+        std::ranges::find(choices.steps, ImageOp::Resize, &ImageStep::op) != choices.steps.end();
+    return texture.levels > 1 && choices.keepsLevels && !isCut && !isScaled && !isResized;
 }
 
 /// What becomes of levels that are not kept.
@@ -169,11 +194,13 @@ Result<std::vector<MipChain>> picturesOf(TextureImage texture, const CompressOpt
 }
 
 /// The levels to compress, in the order in which a DDS file stores rows.
-MipChain levelsOf(MipChain file, std::optional<MipFilter> mips, const CompressOptions& options) {
-    const MipOptions how{mips.value_or(MipFilter::Box), options.gamma,
-                         options.powerOfTwo ? NpotPolicy::PowerOfTwo : NpotPolicy::Keep};
+MipChain levelsOf(MipChain file, const Choices& choices, const CompressOptions& options) {
+    const MipOptions how{choices.mips.value_or(MipFilter::Box), options.gamma,
+                         options.powerOfTwo ? NpotPolicy::PowerOfTwo : NpotPolicy::Keep, choices.coverage};
+    for (std::size_t level = 0; level < file.size(); ++level)
+        file[level] = preparedBy(choices.steps, std::move(file[level]), static_cast<int>(level));
     MipChain chain = file.size() > 1 ? std::move(file)
-                                     : applyMipPolicy(mips ? MipPolicy::Generated : MipPolicy::None,
+                                     : applyMipPolicy(choices.mips ? MipPolicy::Generated : MipPolicy::None,
                                                       std::move(file.front()), how);
     for (Image& level : chain)
         flipVertically(level);
@@ -195,18 +222,24 @@ Result<MadeImage> compressFile(const std::string& in, const CompressOptions& opt
     if (!file)
         return fail(file.error());
     std::vector<Loss> losses = lossesIn(*file, "DDS");
-    const bool isPremultiplied = file->alpha == AlphaMeaning::Premultiplied;
+    if (options.prepare.premultiply && file->alpha == AlphaMeaning::Premultiplied)
+        return fail(ErrorCode::Unsupported, "its colours are already multiplied by alpha",
+                    atOption("--premultiply"));
+    const bool isPremultiplied = options.prepare.premultiply || file->alpha == AlphaMeaning::Premultiplied;
     const bool keeps = keepsLevels(*file, options, choices);
     if (file->levels > 1 && !keeps)
         losses.push_back(levelsLost(file->levels, choices));
+    constexpr const char* kept = "it applies only to generated mip levels, but those of the file are kept";
     if (keeps && options.gamma)
-        noteUnused("--gamma", "it applies only to generated mip levels, but those of the file are kept");
+        noteUnused("--gamma", kept);
+    if (keeps && choices.coverage > 0)
+        noteUnused("--coverage", kept);
     Result<std::vector<MipChain>> pictures = picturesOf(*std::move(file), options, keeps, in);
     if (!pictures)
         return fail(pictures.error());
     MipChain source; // of one face after the other
     for (MipChain& picture : *pictures)
-        std::ranges::move(levelsOf(std::move(picture), choices.mips, options), std::back_inserter(source));
+        std::ranges::move(levelsOf(std::move(picture), choices, options), std::back_inserter(source));
     std::ranges::move(lossesIn(source, choices.format), std::back_inserter(losses));
 
     LongWork work("texshot: compressing");
@@ -276,6 +309,15 @@ void addCompress(CommandLine& line) {
     command.flag("--cube", options->cube,
                  "Cut a picture of 6:1, 1:6, 4:3 or 3:4 into the six faces of a cube map. A cube map "
                  "always stays a cube map.");
+    addPrepareArgument(command, options->prepare);
+    command.option(
+        "--coverage", options->coverage,
+        "Scale alpha of each mip level so that as much of it as of the picture passes an alpha test "
+        "with this reference, from 0 to 1.",
+        {.value = "REFERENCE"});
+    command.footer(
+        "The picture is swizzled, scaled, spread, premultiplied and made normals in this order, before "
+        "its mip levels are made.");
     command.onCall([options] { return run(*options); });
 }
 

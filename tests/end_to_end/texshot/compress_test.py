@@ -41,6 +41,56 @@ class Compress(Texshot):
         self.complains(2, '--format: expected one of dxt1, dxt1a, dxt3, dxt5, bc4, bc5, bc1', "compress", source,
                        self.path / "no.dds", "--format", "bc6h")
 
+    def test_compress_prepares_the_picture(self):
+        """In blocks of one colour, which lose nothing that 5 and 6 bits hold."""
+        source, out = self.path / "in.png", self.path / "out.dds"
+        picture = Image.new("RGBA", (16, 16), (255, 0, 0, 255))
+        picture.paste((0, 0, 0, 0), (8, 0, 16, 16))
+        picture.save(source)
+
+        def made(*options, level=0):
+            self.succeeds("compress", source, out, "--format", "dxt5", *options)
+            data = texshot("decode", out, "-", "--level", str(level)).stdout  # and a note where it is premultiplied
+            return Image.open(io.BytesIO(data)).convert("RGBA")
+
+        self.assertEqual(made().getpixel((15, 8)), (0, 0, 0, 0))
+        self.assertEqual(made("--spread").getpixel((15, 8)), (255, 0, 0, 0))
+        self.assertEqual(made("--swizzle", "alpha,zero,red,one").getpixel((0, 0)), (255, 0, 255, 255))
+        self.assertEqual(made("--size", "32x8").size, (32, 8))
+        self.assertEqual(made("--scale", "0.5").size, (8, 8))
+        self.assertEqual(made("--normals", "1", level=0).getpixel((4, 4))[2], 255)
+        picture.putalpha(128)
+        picture.save(source)
+        self.assertLessEqual(abs(made("--premultiply").getpixel((0, 0))[0] - 128), 4)
+        self.assertEqual(self.facts(out)["alpha"], "premultiplied")
+        again = texshot("compress", out, self.path / "again.dds", "--format", "dxt5", "--premultiply")
+        self.assertEqual(again.returncode, 1)
+        self.assertIn(b"--premultiply: its colours are already multiplied", again.stderr)
+        self.complains(2, "--swizzle: expected 4 components with commas between them, found 3", "compress", source, out,
+                       "--format", "dxt5", "--swizzle", "red,green,blue")
+        self.complains(2, '--swizzle: there is no "other-red"', "compress", source, out, "--format", "dxt5",
+                       "--swizzle", "other-red,green,blue,alpha")
+        self.complains(2, "--scale: expected a number from 0 to 1, found", "compress", source, out, "--format", "dxt5",
+                       "--scale", "2")
+        self.complains(2, "--coverage: expected a number from 0 to 1", "compress", source, out, "--format", "dxt5",
+                       "--coverage", "x")
+
+    def test_compress_keeps_the_coverage_of_an_alpha_test(self):
+        source, out = self.path / "in.png", self.path / "out.dds"
+        picture = Image.new("RGBA", (64, 64), (40, 140, 40, 0))
+        for x in range(0, 64, 8):
+            for y in range(0, 64, 8):
+                picture.paste((40, 140, 40, 255), (x, y, x + 2, y + 2))
+        picture.save(source)
+
+        def passed(level, *options):
+            self.succeeds("compress", source, out, "--format", "dxt5", *options)
+            data = self.succeeds("decode", out, "-", "--level", level)
+            return sum(Image.open(io.BytesIO(data)).convert("RGBA").getchannel("A").histogram()[128:])
+
+        self.assertEqual(passed(2), 0)  # 2 x 2 of 4 x 4 texels became one of 64
+        self.assertEqual(passed(2, "--coverage", "0.5"), 8 * 8)
+
     CORNERS = [(255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 0), (0, 255, 255), (255, 0, 255)]
 
     def test_compress_keeps_the_faces_of_a_cube_map(self):
