@@ -63,6 +63,48 @@ Result<void> cutOut(const PresetTarget& target) {
     return {};
 }
 
+/// A green tree of 32 × 32 texels, and black where alpha is 0; at its edge alpha is 0 or 1, which takes two
+/// steps.
+Result<void> fringe(const PresetTarget& target) {
+    showPattern(target.texture, Pattern::Tree);
+    using enum ComponentSource;
+    const ImageStep zeroOrOne{.op = ImageOp::Scale, .factor = glm::vec4(16), .bias = glm::vec4(-7.5F)};
+    target.texture.preparation = {
+        {.op = ImageOp::Resize, .share = 1.0F / 8},
+        {.op = ImageOp::Swizzle, .red = Zero, .green = Alpha, .blue = Zero, .alpha = Alpha},
+        zeroOrOne,
+        zeroOrOne};
+    target.texture.magFilter = MagFilter::Linear;
+    target.texture.wrapS = target.texture.wrapT = Wrap::ClampToEdge;
+    takeGivenCoordinates(target.unit);
+    target.unit.envMode = EnvMode::Replace;
+    blendWith(target.pass, BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha);
+    showSquare(target.scene);
+    target.scene.view.background = glm::vec4(1);
+    return {};
+}
+
+/// Error: the preparation is full.
+Result<void> endWith(Texture& texture, ImageOp op) {
+    if (!texture.preparation.empty() && texture.preparation.back().op == op)
+        return {};
+    if (texture.preparation.size() >= maxImageSteps)
+        return fail(ErrorCode::TooLarge,
+                    Sentence("the image is already prepared by {0} steps", maxImageSteps));
+    texture.preparation.push_back({.op = op});
+    return {};
+}
+
+Result<void> fringeCure(const PresetTarget& target) {
+    blendWith(target.pass, BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha);
+    return endWith(target.texture, ImageOp::Spread);
+}
+
+Result<void> fringePremultiplied(const PresetTarget& target) {
+    blendWith(target.pass, BlendFactor::One, BlendFactor::OneMinusSrcAlpha);
+    return endWith(target.texture, ImageOp::Premultiply);
+}
+
 Result<void> additiveGlow(const PresetTarget& target) {
     blendWith(target.pass, BlendFactor::SrcAlpha, BlendFactor::One);
     target.pass.depthTest = false;
@@ -86,6 +128,19 @@ constexpr std::array alphaRows{
         "cut-out", alphaGroup, N_("Cut-out"),
         N_("One square with GL_REPLACE, GL_CLAMP_TO_EDGE and the alpha test, as used for plants and fences."),
         N_("Only the shape in the image is left of the square. Move closer: its edge is hard."), cutOut},
+    Preset{"fringe", alphaGroup, N_("Dark fringe"),
+           N_("A sprite of few texels, black where alpha is 0, blended with GL_SRC_ALPHA and "
+              "GL_ONE_MINUS_SRC_ALPHA."),
+           N_("A dark line around the tree: GL_LINEAR mixes the black of invisible texels into its edge."),
+           fringe},
+    Preset{"fringe-cure", alphaGroup, N_("Dark fringe, cured"),
+           N_("A step that gives invisible texels the colours of the nearest visible ones."),
+           N_("The edge has the tree's own colour: what GL_LINEAR mixes in is the same green."), fringeCure},
+    Preset{
+        "fringe-premultiplied", alphaGroup, N_("Dark fringe, premultiplied"),
+        N_("A step that multiplies colours by alpha, and blending with GL_ONE and GL_ONE_MINUS_SRC_ALPHA."),
+        N_("The edge has the tree's own colour: filters weigh each colour by its alpha."),
+        fringePremultiplied},
     Preset{
         "additive-glow", alphaGroup, N_("Additive glow"),
         N_("GL_BLEND with GL_SRC_ALPHA and GL_ONE, without a depth test."),

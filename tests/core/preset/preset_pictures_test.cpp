@@ -310,6 +310,14 @@ TEST(PresetPictures, ShimmerIsRoughFarAwayAndItsCureSmooth) {
     EXPECT_LT(roughnessOf(drawn(with("shimmer-cure", shimmer)), far, far + 12), rough / 3);
 }
 
+TEST(PresetPictures, FringeIsDarkerThanTheTreeAndTheBackgroundAndItsCuresAreNot) {
+    const auto isDark = [](Color c) { return c[1] < 250; }; // green and white have 255
+    const Scene fringe = with("fringe");
+    EXPECT_GT(shareOf(drawn(fringe), isDark), 0.02);
+    EXPECT_EQ(shareOf(drawn(with("fringe-cure", fringe)), isDark), 0);
+    EXPECT_EQ(shareOf(drawn(with("fringe-premultiplied", fringe)), isDark), 0);
+}
+
 /// The share of neighbours in a row that differ by one step.
 double stepsOf(const Image& image) {
     int steps = 0;
