@@ -153,6 +153,16 @@ void idleNote(const Session& session, const std::string& path) {
         dimWrappedText(shownSentence(idle->sentence));
 }
 
+/// What a list as a whole lacks, with its fixes; what its elements lack is said at theirs.
+void problemNote(const Session& session, const std::string& path) {
+    const Finding* problem = problemOf(session.document.findings, path);
+    if (!problem || problem->path != path)
+        return;
+    problemSign(session, path, *problem);
+    ImGui::SameLine();
+    dimWrappedText(shownSentence(problem->sentence));
+}
+
 } // namespace
 
 void preparationList(const Session& session, std::size_t texture, const LevelsSummary* summary,
@@ -161,6 +171,7 @@ void preparationList(const Session& session, std::size_t texture, const LevelsSu
     const std::string owner = elementOf<&Scene::textures>(texture) + ".";
     caption("Preparation");
     idleNote(session, owner + keyOf<&Texture::preparation>());
+    problemNote(session, owner + keyOf<&Texture::preparation>());
     const auto pictureAfter = [&](std::size_t step) {
         return summary && step < summary->steps.size() ? summary->steps[step] : nullptr;
     };

@@ -81,11 +81,6 @@ constexpr std::array textureRows{
     param<&Texture::mipGamma>("mipGamma", N_("Mipmaps"), N_("Gamma-correct"), "",
                               N_("Whether colours are averaged as amounts of light, by the sRGB curve. Black "
                                  "and white then give 188, not 128.")),
-    param<&Texture::mipCoverage>(
-        "mipCoverage", N_("Mipmaps"), N_("Keep coverage"), "",
-        N_("An alpha test's reference: alpha of each level is scaled so that as much of it passes as of the "
-           "image itself. Far leaves then don't vanish."),
-        {0, 1, 0.005F, {}, N_("off")}),
     param<&Texture::npot>("npot", N_("Mipmaps"), N_("Non-power-of-two"), "",
                           N_("What is done with a size that is not a power of two before levels are made.")),
     param<&Texture::baseLevel>(
@@ -108,6 +103,11 @@ constexpr std::array textureRows{
         N_("Added to the level of detail before the limits, together with the bias of the unit. Above 0 "
            "blurs, below 0 sharpens and aliases."),
         {-16, 16, 0.02F, N_("levels")}),
+    param<&Texture::mipCoverage>(
+        "mipCoverage", N_("Mipmaps"), N_("Keep coverage"), "",
+        N_("An alpha test's reference: alpha of each level is scaled so that as much of it passes as of the "
+           "image itself. Far leaves then don't vanish."),
+        {0, 1, 0.005F, {}, N_("off")}),
     param<&Texture::maxAnisotropy>(
         "maxAnisotropy", N_("Anisotropy"), N_("Max anisotropy"),
         "glTexParameterf({target}, GL_TEXTURE_MAX_ANISOTROPY_EXT, {})",

@@ -35,18 +35,33 @@ TEST_F(TextureLists, AStepShowsItsOwnParametersAlone) {
         return has("textures[0].preparation[0]." + std::string(key));
     };
     texture().preparation = {{.op = ImageOp::Swizzle}};
-    frames(2);
+    scrollTo("add step");
     EXPECT_TRUE(shows("red"));
     EXPECT_FALSE(shows("source")) << "no component is the other image's";
     EXPECT_FALSE(shows("share"));
     texture().preparation[0].alpha = ComponentSource::OtherRed;
-    frames(2);
+    scrollTo("add step");
     EXPECT_TRUE(shows("source"));
     texture().preparation = {{.op = ImageOp::Resize}};
-    frames(2);
+    scrollTo("add step");
     EXPECT_TRUE(shows("share"));
-    EXPECT_TRUE(shows("width"));
     EXPECT_FALSE(shows("red"));
+}
+
+TEST_F(TextureLists, AFringeIsRemovedByAStep) {
+    scene() = [] {
+        Scene fringe = defaultScene();
+        EXPECT_TRUE(applyPreset(*findPreset("fringe"), fringe));
+        return fringe;
+    }();
+    frames(2);
+    const std::size_t before = texture().preparation.size();
+    press("textures[0].preparation#problem");
+    click("textures[0].preparation#fix:Spread colours");
+    ASSERT_EQ(texture().preparation.size(), before + 1);
+    EXPECT_EQ(texture().preparation.back().op, ImageOp::Spread);
+    frames(2);
+    EXPECT_FALSE(has("textures[0].preparation#problem"));
 }
 
 TEST_F(TextureLists, StepsChangePlacesAndGo) {
