@@ -344,8 +344,8 @@ void Workbench::choose(std::string_view param, std::string_view name) {
     if (!has(choice)) // they are in a list
         click(param);
     const std::string groups = fmt::format("{}#group ", param); // or in a submenu of it
-    for (const auto& [name, item] : std::map(places.items.begin(), places.items.end())) {
-        if (!has(choice) && name.starts_with(groups))
+    for (const auto& [group, item] : std::map(places.items.begin(), places.items.end())) {
+        if (!has(choice) && group.starts_with(groups))
             moveTo({(item.left + item.right) / 2, (item.top + item.bottom) / 2});
     }
     click(choice);
