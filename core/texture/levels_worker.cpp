@@ -174,6 +174,8 @@ bool isQuick(const LevelsRequest& request) {
     if (texels > 0 && request.settings.compression == Compression::Cached)
         return false;
     texels *= 1 + request.settings.preparation.size();
+    if (request.settings.mipCoverage > 0)
+        texels *= 16; // each level is tried with many factors
     for (const auto* each : {&pictures.levels, &pictures.others}) {
         for (const TexturePictures::Picture& picture : *each)
             texels += texelsOf(picture);

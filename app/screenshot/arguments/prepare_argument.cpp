@@ -68,7 +68,8 @@ void addPrepareArgument(Command& command, PrepareArgument& argument) {
     const std::vector<EnumRow> rows = sourceRows();
     command.option("--swizzle", argument.swizzle,
                    "Take red, green, blue and alpha from these components, with commas between them: " +
-                       listNames(rows) + ".",
+                       listNames(rows) +
+                       ". This and the following steps are made in this order, before the mip levels.",
                    {.value = "R,G,B,A"});
     const Option& size =
         command.option("--size", argument.size, "Scale to this number of texels, as gluScaleImage does.",

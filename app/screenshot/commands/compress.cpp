@@ -315,9 +315,6 @@ void addCompress(CommandLine& line) {
         "Scale alpha of each mip level so that as much of it as of the picture passes an alpha test "
         "with this reference, from 0 to 1.",
         {.value = "REFERENCE"});
-    command.footer(
-        "The picture is swizzled, scaled, spread, premultiplied and made normals in this order, before "
-        "its mip levels are made.");
     command.onCall([options] { return run(*options); });
 }
 
