@@ -1,5 +1,7 @@
 #include "texplorer/mesh/obj_file.h"
 
+#include "texplorer/mesh/obj_lines.h"
+
 #define TINYOBJLOADER_IMPLEMENTATION
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -8,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <exception>
 #include <map>
 #include <new>
 #include <set>
@@ -53,16 +54,13 @@ struct Lines {
     std::vector<tinyobj::material_t> materials;
     std::string name;
     std::string material;
+    std::vector<int> polygonLines; ///< numbers of lines in the file
     std::size_t polygons = 0;
     Sentence problem;
 };
 
 Lines& linesOf(void* user) {
     return *static_cast<Lines*>(user);
-}
-
-bool areFinite(std::initializer_list<float> numbers) {
-    return std::ranges::all_of(numbers, [](float number) { return std::isfinite(number); });
 }
 
 /// From OBJ's index, which begins at 1, or at -1 from the end; 0: none. Empty: there is no such entry.
@@ -80,8 +78,11 @@ std::optional<Corner> cornerOf(Lines& lines, const tinyobj::index_t& given) {
     if (position && *position >= 0 && texCoord && normal)
         return Corner{*position, *texCoord, *normal};
     const auto problem = [&](std::string_view what, int number, std::size_t count) {
-        lines.problem = Sentence("polygon {0}: expected {1} from 1 to {2}, found {3}", lines.polygons,
-                                 ProperName{what}, count, number);
+        const int line = lines.polygonLines[lines.polygons - 1];
+        lines.problem = count == 0 ? Sentence("line {0}: expected {1} {2} in an earlier line, found no {1}",
+                                              line, ProperName{what}, number)
+                                   : Sentence("line {0}: expected {1} from 1 to {2}, found {3}", line,
+                                              ProperName{what}, count, number);
     };
     if (!position || *position < 0)
         problem("v", given.vertex_index, lines.positions.size());
@@ -112,37 +113,21 @@ void takePolygon(Lines& lines, std::span<const tinyobj::index_t> given) {
     }
 }
 
-void takeNumbers(Lines& lines, std::string_view what, std::size_t number,
-                 std::initializer_list<float> values) {
-    if (lines.problem.empty() && !areFinite(values))
-        lines.problem =
-            Sentence("{0} {1}: expected numbers, found one that is not finite", ProperName{what}, number);
-}
-
 tinyobj::callback_t callbacks() {
     tinyobj::callback_t calls;
     calls.vertex_cb = [](void* user, float x, float y, float z, float) {
-        Lines& lines = linesOf(user);
-        lines.positions.emplace_back(x, y, z);
-        takeNumbers(lines, "v", lines.positions.size(), {x, y, z});
+        linesOf(user).positions.emplace_back(x, y, z);
     };
     calls.normal_cb = [](void* user, float x, float y, float z) {
-        Lines& lines = linesOf(user);
-        lines.normals.emplace_back(x, y, z);
-        takeNumbers(lines, "vn", lines.normals.size(), {x, y, z});
+        linesOf(user).normals.emplace_back(x, y, z);
     };
     calls.texcoord_cb = [](void* user, float x, float y, float) {
-        Lines& lines = linesOf(user);
-        lines.texCoords.emplace_back(x, y);
-        takeNumbers(lines, "vt", lines.texCoords.size(), {x, y});
+        linesOf(user).texCoords.emplace_back(x, y);
     };
     calls.index_cb = [](void* user, tinyobj::index_t* indices, int count) {
         takePolygon(linesOf(user), {indices, static_cast<std::size_t>(count)});
     };
     calls.usemtl_cb = [](void* user, const char* name, int) { linesOf(user).material = name; };
-    calls.mtllib_cb = [](void* user, const tinyobj::material_t* materials, int count) {
-        linesOf(user).materials.assign(materials, materials + count);
-    };
     calls.group_cb = [](void* user, const char** names, int count) {
         linesOf(user).name = count > 0 ? names[0] : "";
     };
@@ -150,50 +135,44 @@ tinyobj::callback_t callbacks() {
     return calls;
 }
 
-/// Gives the library the text of a material file.
-class Materials final : public tinyobj::MaterialReader {
-public:
-    Materials(const ReadMaterials& read, std::vector<Sentence>& notes)
-        : read_(read)
-        , notes_(notes) {}
-    bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
-                    std::map<std::string, int>* numbers, std::string* warning, std::string* error) override {
-        const std::optional<std::string> text = read_ ? read_(name) : std::nullopt;
-        if (!text) {
-            notes_.push_back(Sentence("{0} is not loaded: drawn without its materials", ProperName{name}));
-            return false;
-        }
-        std::istringstream stream(*text);
-        const auto first = static_cast<std::ptrdiff_t>(materials->size());
-        tinyobj::LoadMtl(numbers, materials, &stream, warning, error);
-        whiten(*text, {materials->begin() + first, materials->end()});
-        return !materials->empty(); // the library reads the first one
+/// The library makes materials without Kd black.
+void whiten(const std::string& text, std::vector<tinyobj::material_t>& materials) {
+    std::set<std::string> colored;
+    std::istringstream lines(text);
+    std::string name;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string first;
+        words >> first;
+        if (first == "newmtl")
+            words >> name;
+        else if (first == "Kd")
+            colored.insert(name);
     }
-
-private:
-    /// The library makes materials without Kd black.
-    static void whiten(const std::string& text, std::span<tinyobj::material_t> materials) {
-        std::set<std::string> colored;
-        std::istringstream lines(text);
-        std::string name;
-        for (std::string line; std::getline(lines, line);) {
-            std::istringstream words(line);
-            std::string first;
-            words >> first;
-            if (first == "newmtl")
-                words >> name;
-            else if (first == "Kd")
-                colored.insert(name);
-        }
-        for (tinyobj::material_t& material : materials) {
-            if (!colored.contains(material.name))
-                std::ranges::fill(material.diffuse, 1.0F);
-        }
+    for (tinyobj::material_t& material : materials) {
+        if (!colored.contains(material.name))
+            std::ranges::fill(material.diffuse, 1.0F);
     }
+}
 
-    const ReadMaterials& read_;
-    std::vector<Sentence>& notes_;
-};
+/// The materials of all libraries that can be read.
+void readMaterials(const std::vector<std::string>& names, const ReadMaterials& read, Lines& lines,
+                   std::vector<Sentence>& notes) {
+    std::string all;
+    for (const std::string& name : names) {
+        if (const std::optional<std::string> text = read(name))
+            all.append(*text).append("\n");
+        else
+            notes.push_back(Sentence("the material library {0} can't be read: drawn without its materials",
+                                     ProperName{name}));
+    }
+    std::istringstream stream(all);
+    std::map<std::string, int> numbers;
+    std::string warning;
+    std::string error;
+    tinyobj::LoadMtl(&numbers, &lines.materials, &stream, &warning, &error);
+    whiten(all, lines.materials);
+}
 
 ObjMaterial materialOf(const Lines& lines, const std::string& name) {
     const auto found = std::ranges::find(lines.materials, name, &tinyobj::material_t::name);
@@ -209,14 +188,14 @@ ObjMaterial materialOf(const Lines& lines, const std::string& name) {
 }
 
 /// The sum of the triangles' normals at each position, as long as twice their areas.
-std::vector<glm::vec3> meanNormals(const Lines& lines) {
-    std::vector<glm::vec3> sums(lines.positions.size(), glm::vec3(0));
+std::vector<glm::dvec3> meanNormals(const Lines& lines) {
+    std::vector<glm::dvec3> sums(lines.positions.size(), glm::dvec3(0));
     const auto at = [&](const Corner& corner) { return static_cast<std::size_t>(corner.position); };
     for (const std::vector<Triangle>& part : lines.triangles) {
         for (const auto& [a, b, c] : part) {
-            const glm::vec3 origin = lines.positions[at(a)];
-            const glm::vec3 normal =
-                glm::cross(lines.positions[at(b)] - origin, lines.positions[at(c)] - origin);
+            const glm::dvec3 origin(lines.positions[at(a)]);
+            const glm::dvec3 normal = glm::cross(glm::dvec3(lines.positions[at(b)]) - origin,
+                                                 glm::dvec3(lines.positions[at(c)]) - origin);
             for (const Corner& corner : {a, b, c})
                 sums[at(corner)] += normal;
         }
@@ -225,15 +204,15 @@ std::vector<glm::vec3> meanNormals(const Lines& lines) {
 }
 
 /// A unit vector; +z where there is no direction.
-glm::vec3 unitOf(glm::vec3 vector) {
-    const float length = glm::length(vector);
-    return std::isfinite(length) && length > 0 ? vector / length : glm::vec3(0, 0, 1);
+glm::vec3 unitOf(const glm::dvec3& vector) {
+    const double length = glm::length(vector);
+    return std::isfinite(length) && length > 0 ? glm::vec3(vector / length) : glm::vec3(0, 0, 1);
 }
 
 /// Meshes of one part: each has as many vertices and indices as a mesh may.
 class PartMaker {
 public:
-    PartMaker(const Lines& lines, const std::vector<glm::vec3>& means, ObjFile& out)
+    PartMaker(const Lines& lines, const std::vector<glm::dvec3>& means, ObjFile& out)
         : lines_(lines)
         , means_(means)
         , out_(out) {}
@@ -273,8 +252,9 @@ private:
             return found->second;
         const auto position = static_cast<std::size_t>(corner.position);
         mesh.positions.push_back(lines_.positions[position]);
-        mesh.normals.push_back(unitOf(
-            corner.normal < 0 ? means_[position] : lines_.normals[static_cast<std::size_t>(corner.normal)]));
+        mesh.normals.push_back(
+            unitOf(corner.normal < 0 ? means_[position]
+                                     : glm::dvec3(lines_.normals[static_cast<std::size_t>(corner.normal)])));
         hasTexCoords_ = hasTexCoords_ || corner.texCoord >= 0;
         const glm::vec2 st =
             corner.texCoord < 0 ? glm::vec2(0) : lines_.texCoords[static_cast<std::size_t>(corner.texCoord)];
@@ -283,7 +263,7 @@ private:
     }
 
     const Lines& lines_;
-    const std::vector<glm::vec3>& means_;
+    const std::vector<glm::dvec3>& means_;
     ObjFile& out_;
     ObjPart part_;
     std::unordered_map<Corner, int, CornerHash> numbers_;
@@ -295,27 +275,35 @@ int materialNumber(ObjFile& out, const Lines& lines, const std::string& name) {
     const auto found = std::ranges::find(out.materials, name, &ObjMaterial::name);
     if (found != out.materials.end())
         return static_cast<int>(found - out.materials.begin());
+    if (!name.empty() && !lines.materials.empty() &&
+        std::ranges::find(lines.materials, name, &tinyobj::material_t::name) == lines.materials.end())
+        out.notes.push_back(Sentence("the material {0} is in no library", ProperName{name}));
     out.materials.push_back(materialOf(lines, name));
     return static_cast<int>(out.materials.size()) - 1;
 }
 
 /// One part for each object and material, or for each material.
-void makeParts(ObjFile& out, const Lines& lines, std::size_t maxParts) {
-    const std::vector<glm::vec3> means = meanNormals(lines);
+Result<void> makeParts(ObjFile& out, const Lines& lines, std::size_t maxParts) {
+    std::map<std::string, std::vector<const std::vector<Triangle>*>> ofMaterial;
+    for (std::size_t i = 0; i < lines.parts.size(); ++i)
+        ofMaterial[lines.parts[i].second].push_back(&lines.triangles[i]);
+    if (ofMaterial.size() > maxParts)
+        return fail(ErrorCode::TooLarge,
+                    Sentence("it uses {0} materials, each of which needs a model; a scene has at most {1}",
+                             ofMaterial.size(), maxParts));
+    const std::vector<glm::dvec3> means = meanNormals(lines);
     PartMaker maker(lines, means, out);
     if (lines.parts.size() <= maxParts) {
         for (std::size_t i = 0; i < lines.parts.size(); ++i) {
             const std::array lists{&lines.triangles[i]};
             maker.add(lines.parts[i].first, materialNumber(out, lines, lines.parts[i].second), lists);
         }
-        return;
+        return {};
     }
-    std::map<std::string, std::vector<const std::vector<Triangle>*>> ofMaterial;
-    for (std::size_t i = 0; i < lines.parts.size(); ++i)
-        ofMaterial[lines.parts[i].second].push_back(&lines.triangles[i]);
     for (const auto& [material, lists] : ofMaterial)
         maker.add(material, materialNumber(out, lines, material), lists);
     out.notes.push_back(Sentence("{0} objects are merged by their materials", lines.parts.size()));
+    return {};
 }
 
 } // namespace
@@ -323,26 +311,29 @@ void makeParts(ObjFile& out, const Lines& lines, std::size_t maxParts) {
 Result<ObjFile> decodeObj(ByteView file, const ReadMaterials& materials, std::size_t maxParts) {
     ObjFile out;
     Lines lines;
+    Result<ObjLines> checked = checkedObjLines(file);
+    if (!checked)
+        return fail(checked.error());
+    if (checked->polygonLines.empty())
+        return fail(ErrorCode::Malformed, "expected polygons (lines that begin with f), found none");
     try {
-        Materials reader(materials, out.notes);
-        std::istringstream stream(std::string(reinterpret_cast<const char*>(file.data()), file.size()));
-        std::string warning; // the notes say the same
+        lines.polygonLines = std::move(checked->polygonLines);
+        std::istringstream stream(std::move(checked->text));
+        std::string warning;
         std::string error;
-        if (!tinyobj::LoadObjWithCallback(stream, callbacks(), &lines, &reader, &warning, &error))
-            return fail(ErrorCode::Malformed, Sentence("it is no OBJ file: {0}", ProperName{error}));
+        tinyobj::LoadObjWithCallback(stream, callbacks(), &lines, nullptr, &warning, &error);
         if (!lines.problem.empty())
             return fail(ErrorCode::Malformed, lines.problem);
-        makeParts(out, lines, maxParts);
+        readMaterials(checked->libraries, materials, lines, out.notes);
+        if (Result<void> made = makeParts(out, lines, maxParts); !made)
+            return fail(made.error());
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "not enough memory for its vertices");
-    } catch (const std::exception&) { // the library's, of a line that it does not expect
-        return fail(ErrorCode::Malformed, "expected an OBJ file, found a line that is none of its");
     }
-    if (out.parts.empty())
-        return fail(ErrorCode::Malformed, "expected polygons (lines that begin with f), found none");
     if (out.parts.size() > maxParts)
         return fail(ErrorCode::TooLarge,
-                    Sentence("it needs {0} models; a scene has at most {1}", out.parts.size(), maxParts));
+                    Sentence("it needs {0} models of up to {1} vertices; a scene has at most {2}",
+                             out.parts.size(), maxMeshVertices, maxParts));
     return out;
 }
 

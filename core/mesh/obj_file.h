@@ -40,8 +40,8 @@ using ReadMaterials = std::function<std::optional<std::string>(const std::string
 /// Reads the polygons of an OBJ file. A polygon becomes a fan of triangles. Where a polygon has no normals,
 /// each of its vertices has the mean of the triangles' normals at its position, by their areas. More than
 /// `maxParts` parts are merged by material; larger parts become several. Lines, points, curves and smoothing
-/// groups are left out. Errors: Malformed for a polygon of vertices that there are not, numbers that are not
-/// finite, or no polygon; TooLarge for more than `maxParts` parts in the end.
+/// groups are left out. Errors: those of checkedObjLines(); Malformed for a polygon of vertices that there
+/// are not, or no polygon; TooLarge for more than `maxParts` parts in the end.
 [[nodiscard]] Result<ObjFile> decodeObj(ByteView file, const ReadMaterials& materials, std::size_t maxParts);
 
 } // namespace texplorer

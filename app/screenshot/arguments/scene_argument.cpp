@@ -48,8 +48,13 @@ std::size_t maxBytesOf(const std::string& path) {
 }
 
 Result<std::string> readSceneInput(const std::string& path) {
-    if (isObjName(path))
+    if (isObjName(path)) {
+        if (const Result<ObjScene> read = readObjScene(path)) {
+            for (const Sentence& note : read->notes)
+                warn({ErrorCode::Unsupported, note, inFile(path)});
+        }
         return readSceneText(path);
+    }
     const Result<Bytes> file = readInput(path, maxBytesOf(path));
     if (!file)
         return fail(file.error());
@@ -169,8 +174,8 @@ Result<lesson::LessonFolder> lessonFolder(const std::string& name) {
 
 const Option& addSceneArgument(Command& command, SceneArgument& argument, std::vector<std::string>* files) {
     constexpr const char* help =
-        "A scene file (JSON), a PNG drawn by texshot, which contains its scene, or an OBJ file of meshes; - for "
-        "standard input. "
+        "A scene file (JSON), a PNG drawn by texshot, which contains its scene, or meshes in a file NAME.obj; - "
+        "for a scene on standard input. "
         "Default: Texplorer's start scene, a cube and a sphere.";
     const Option& file = files ? command.option("SCENE", *files, help + std::string(" There may be several."))
                                : command.option("SCENE", argument.file, help);
@@ -255,6 +260,12 @@ std::vector<std::string> filesOf(const SceneArgument& argument, const OpenedScen
         if (const Result<lesson::LessonFolder> folder = lessonFolder(argument.lesson))
             std::ranges::move(filesOfLesson(*folder), std::back_inserter(files));
     files.push_back(argument.file);
+    if (isObjName(argument.file)) {
+        if (const Result<ObjScene> read = readObjScene(argument.file)) {
+            for (const std::filesystem::path& library : read->libraries)
+                files.push_back(library.string());
+        }
+    }
     return files;
 }
 

@@ -8,21 +8,22 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <limits>
 #include <string>
+#include <system_error>
+#include <utility>
 
 namespace texplorer {
 namespace {
 
-constexpr std::size_t maxMaterialBytes = std::size_t{1} << 20;
+constexpr std::size_t maxMaterialBytes = std::size_t{4} << 20;
 
 /// How far from the middle the models reach.
-constexpr float radius = 2;
+constexpr double radius = 2;
 
 struct Box {
-    glm::vec3 middle{0};
-    float scale = 1; ///< its corners are then at `radius`
+    glm::dvec3 middle{0};
+    double scale = 1; ///< its corners are then at `radius`
 };
 
 Box boxAround(const ObjFile& file) {
@@ -34,9 +35,9 @@ Box boxAround(const ObjFile& file) {
             high = glm::max(high, position);
         }
     }
-    const float half = glm::length(high / 2.0F - low / 2.0F);
-    const bool hasSize = std::isfinite(half) && half > 0;
-    return {low / 2.0F + high / 2.0F, hasSize ? radius / half : 1};
+    const glm::dvec3 middle = (glm::dvec3(low) + glm::dvec3(high)) / 2.0;
+    const double half = glm::length(glm::dvec3(high) - middle);
+    return {middle, half > 0 ? radius / half : 1};
 }
 
 Texture textureOf(const std::string& image) {
@@ -56,7 +57,7 @@ Model modelOf(const ObjPart& part, const ObjMaterial& material, const Box& box) 
     model.shape = Shape::Mesh;
     model.mesh = part.mesh;
     for (glm::vec3& position : model.mesh.positions)
-        position = (position - box.middle) * box.scale;
+        position = glm::vec3((glm::dvec3(position) - box.middle) * box.scale);
     model.ownMaterial = material.color != glm::vec4(1);
     model.material.color = material.color;
     return model;
@@ -97,19 +98,28 @@ Scene sceneOf(const ObjFile& file) {
     return scene;
 }
 
-Result<Scene> readObjScene(const std::filesystem::path& file) {
-    const auto here = [&](const Error& error) { return fail(within(inFile(file.string()), error)); };
+Result<ObjScene> readObjScene(const std::filesystem::path& file) {
     const Result<Bytes> bytes = readFile(file, maxSceneBytes);
     if (!bytes)
         return fail(bytes.error());
+    ObjScene read;
     const auto materials = [&](const std::string& name) -> std::optional<std::string> {
-        const Result<std::string> text = readText(file.parent_path() / name, maxMaterialBytes);
-        return text ? std::optional(*text) : std::nullopt;
+        const std::filesystem::path library = file.parent_path() / name;
+        std::error_code ignored;
+        if (!std::filesystem::is_regular_file(library, ignored)) // a pipe would be waited for
+            return std::nullopt;
+        Result<std::string> text = readText(library, maxMaterialBytes);
+        if (!text)
+            return std::nullopt;
+        read.libraries.push_back(library);
+        return *std::move(text);
     };
-    const Result<ObjFile> read = decodeObj(*bytes, materials, maxModels);
-    if (!read)
-        return here(read.error());
-    return sceneOf(*read);
+    Result<ObjFile> decoded = decodeObj(*bytes, materials, maxModels);
+    if (!decoded)
+        return fail(within(inFile(file.string()), decoded.error()));
+    read.scene = sceneOf(*decoded);
+    read.notes = std::move(decoded->notes);
+    return read;
 }
 
 } // namespace texplorer

@@ -7,19 +7,27 @@
 #include "texplorer/scene/scene.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace texplorer {
 
 /// Whether a file's name ends with .obj, in any case.
 [[nodiscard]] bool isObjName(const std::filesystem::path& file);
 
-/// The models, moved and scaled to the middle of the picture: one for each part, one pass for each image of a material, with
-/// the light and the view of defaultScene(). A part without an image shows the checkerboard, so that its
-/// texture coordinates are seen. Parts with further images than passes are drawn with the last one.
+/// The models, moved and scaled to the middle of the picture: one for each part, one pass for each image of a
+/// material, with the light and the view of defaultScene(). A part without an image shows the checkerboard,
+/// so that its texture coordinates are seen. Parts with further images than passes are drawn with the last
+/// one.
 [[nodiscard]] Scene sceneOf(const ObjFile& file);
 
-/// Reads an OBJ file and the material libraries in its folder. Errors: those of reading and of decodeObj();
-/// TooLarge for a file of more than maxSceneBytes. `where` is the file.
-[[nodiscard]] Result<Scene> readObjScene(const std::filesystem::path& file);
+struct ObjScene {
+    Scene scene;
+    std::vector<Sentence> notes;                  ///< what of the files was left out
+    std::vector<std::filesystem::path> libraries; ///< of materials: those that were read
+};
+
+/// Reads an OBJ file and its material libraries, which are named relative to it. Errors: those of reading and
+/// of decodeObj(); TooLarge for a file of more than maxSceneBytes. `where` is the file.
+[[nodiscard]] Result<ObjScene> readObjScene(const std::filesystem::path& file);
 
 } // namespace texplorer

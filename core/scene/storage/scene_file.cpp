@@ -42,10 +42,10 @@ Result<std::string> sceneTextIn(ByteView file) {
 
 Result<std::string> readSceneText(const std::filesystem::path& file) {
     if (isObjName(file)) {
-        const Result<Scene> scene = readObjScene(file);
-        if (!scene)
-            return fail(scene.error());
-        std::string text = writeScene(*scene);
+        const Result<ObjScene> read = readObjScene(file);
+        if (!read)
+            return fail(read.error());
+        std::string text = writeScene(read->scene);
         if (text.size() > maxSceneBytes)
             return fail(
                 ErrorCode::TooLarge,

@@ -79,7 +79,7 @@ TEST(ObjFiles, HaveAPartForEachObjectAndMaterial) {
     ASSERT_TRUE(merged) << describe(merged.error());
     EXPECT_EQ(merged->parts.size(), 2U) << "one for each material";
     EXPECT_THAT(merged->notes, ElementsAre(testing::Property(&Sentence::english, HasSubstr("3 objects"))));
-    EXPECT_EQ(problemOf(text, 1), "it needs 2 models; a scene has at most 1");
+    EXPECT_EQ(problemOf(text, 1), "it uses 2 materials, each of which needs a model; a scene has at most 1");
 }
 
 TEST(ObjFiles, OfManyVerticesHaveSeveralParts) {
@@ -97,17 +97,57 @@ TEST(ObjFiles, OfManyVerticesHaveSeveralParts) {
 }
 
 TEST(ObjFiles, ThatAreWrongSayWhere) {
-    EXPECT_EQ(problemOf(std::string(square) + "f 1 2 3\nf 1 2 9\n"),
-              "polygon 2: expected v from 1 to 4, found 9");
-    EXPECT_EQ(problemOf(std::string(square) + "f 1/1 2/7 3/3\n"),
-              "polygon 1: expected vt from 1 to 4, found 7");
-    EXPECT_EQ(problemOf(std::string(square) + "f 1//1 2//1 3//1\n"),
-              "polygon 1: expected vn from 1 to 0, found 1");
-    EXPECT_EQ(problemOf(std::string(square) + "f 0 1 2\n"), "polygon 1: expected v from 1 to 4, found 0");
-    EXPECT_THAT(problemOf("v 1e999 0 0\nf 1 1 1\n"), testing::AnyOf(HasSubstr("not finite"), "none"));
-    for (const std::string_view text :
-         {"", "v 0 0 0\n", "f 1 2\n", "hello\n", "mtllib b.mtl\n", "f\n", "f //\n"})
-        EXPECT_NE(problemOf(text), "none") << text;
+    const auto of = [](const char* line) { return problemOf(std::string(square) + line); };
+    EXPECT_EQ(of("f 1 2 3\nf 1 2 9\n"), "line 10: expected v from 1 to 4, found 9");
+    EXPECT_EQ(of("f 1/1 2/7 3/3\n"), "line 9: expected vt from 1 to 4, found 7");
+    EXPECT_EQ(of("f 1//1 2//1 3//1\n"), "line 9: expected vn 1 in an earlier line, found no vn");
+    EXPECT_EQ(of("f 0 1 2\n"), "line 9: expected v, v/vt, v//vn or v/vt/vn, found \"0\"");
+    EXPECT_EQ(of("f 1 2 4294967297\n"), "line 9: expected v, v/vt, v//vn or v/vt/vn, found \"4294967297\"");
+    EXPECT_EQ(of("f 1 2\n"), "line 9: expected a polygon of at least 3 vertices, found 2");
+    EXPECT_EQ(of("f 1 2 3x\n"), "line 9: expected v, v/vt, v//vn or v/vt/vn, found \"3x\"");
+    EXPECT_EQ(problemOf("v 1e999 0 0\n"), "line 1: expected a finite number, found \"1e999\"");
+    EXPECT_EQ(problemOf("v nan 0 0\n"), "line 1: expected a finite number, found \"nan\"");
+    EXPECT_EQ(problemOf("v 1,5 0 0\n"), "line 1: expected a finite number, found \"1,5\"");
+    EXPECT_EQ(problemOf("v 1 2\n"), "line 1: expected 3 numbers after v, found 2");
+    EXPECT_EQ(problemOf("\x89PNG\r\n\x1A\n"), "line 2: expected text, found the byte 26");
+    for (const std::string_view text : {"", "v 0 0 0\n", "hello\n", "mtllib b.mtl\n"})
+        EXPECT_EQ(problemOf(text), "expected polygons (lines that begin with f), found none") << text;
+}
+
+TEST(ObjFiles, HaveCommentsContinuationsAndAByteOrderMark) {
+    const Result<ObjFile> read =
+        decoded("\xEF\xBB\xBFv 0 0 0 # first\r\nv 1 0 \\\n0\nv 1 +1.5e0 0\nf 1 2 \\\r\n3 # a\n");
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_THAT(read->parts[0].mesh.positions,
+                ElementsAre(glm::vec3(0), glm::vec3(1, 0, 0), glm::vec3(1, 1.5F, 0)));
+    EXPECT_EQ(problemOf("v 0 0 \\\n0\nf 1 2 9\n"), "line 3: expected v from 1 to 1, found 2");
+}
+
+TEST(ObjFiles, ReadALibraryOnceAndNameWhatIsMissing) {
+    int count = 0;
+    const auto materials = [&](const std::string& name) {
+        ++count;
+        return name == "a.mtl" ? std::optional(std::string(library)) : std::nullopt;
+    };
+    const std::string text =
+        "mtllib a.mtl\nmtllib a.mtl\nmtllib none.mtl\n" + std::string(square) + "usemtl gold\nf 1 2 3\n";
+    const Result<ObjFile> read = decodeObj(viewBytes(text), materials, 16);
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(count, 2);
+    ASSERT_EQ(read->notes.size(), 2U);
+    EXPECT_EQ(read->notes[0].english(),
+              "the material library none.mtl can't be read: drawn without its materials");
+    EXPECT_EQ(read->notes[1].english(), "the material gold is in no library");
+}
+
+// Their squares are beyond a float's range.
+TEST(ObjFiles, OfHugeAndTinyNumbersHaveNormals) {
+    for (const char* side : {"1e30", "1e-30"}) {
+        const std::string text = std::string("v 0 0 0\nv 0 ") + side + " 0\nv 0 0 " + side + "\nf 1 2 3\n";
+        const Result<ObjFile> read = decoded(text);
+        ASSERT_TRUE(read) << describe(read.error());
+        EXPECT_EQ(read->parts[0].mesh.normals[0], glm::vec3(1, 0, 0)) << side;
+    }
 }
 
 // The library reads the first material of what it was given.

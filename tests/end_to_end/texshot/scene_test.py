@@ -164,11 +164,14 @@ class ObjFiles(Texshot):
 
     def test_say_what_is_wrong(self):
         (self.path / "wrong.obj").write_text(self.square + "f 1 2 7\n")
-        self.complains(1, "wrong.obj: polygon 1: expected v from 1 to 4, found 7", "scene", self.path / "wrong.obj")
+        self.complains(1, "wrong.obj: line 10: expected v from 1 to 4, found 7", "scene", self.path / "wrong.obj")
         (self.path / "square.obj").write_text(self.square + self.face)  # without its library
-        self.assertEqual(json.loads(self.succeeds("scene", self.path / "square.obj"))["models"][0]["shape"], "mesh")
+        without = texshot("scene", self.path / "square.obj")
+        self.assertEqual((without.returncode, json.loads(without.stdout)["models"][0]["shape"]), (0, "mesh"))
+        self.assertIn("square.mtl can't be read", without.stderr)
         (self.path / "square.mtl").write_text("newmtl paint\nmap_Kd gone.png\n")
         self.complains(1, "gone.png", "shot", self.path / "square.obj", "-o", self.path / "x.png")
+        self.complains(2, "square.mtl", "scene", self.path / "square.obj", "-o", self.path / "square.mtl")
 
 
 if __name__ == "__main__":

@@ -19,6 +19,9 @@ using testing::HasSubstr;
 class ObjScene : public testing::Test {
 protected:
     void write(const char* name, const std::string& text) const { std::ofstream(dir / name) << text; }
+    static Result<Scene> sceneIn(const std::filesystem::path& file) {
+        return readObjScene(file).map([](texplorer::ObjScene&& read) { return std::move(read.scene); });
+    }
     test::TempDir dir;
 };
 
@@ -29,7 +32,7 @@ constexpr const char* box = "mtllib box.mtl\nv 100 0 0\nv 104 0 0\nv 104 2 0\nvt
 TEST_F(ObjScene, HasAPassForEachImage) {
     write("box.obj", box);
     write("box.mtl", "newmtl wood\nmap_Kd wood.png\nnewmtl stone\nmap_Kd wood.png\nKd 1 0 0\nnewmtl plain\n");
-    const Result<Scene> scene = readObjScene(dir / "box.obj");
+    const Result<Scene> scene = sceneIn(dir / "box.obj");
     ASSERT_TRUE(scene) << describe(scene.error());
     ASSERT_EQ(scene->models.size(), 3U);
     EXPECT_EQ(scene->models[0].name, "lid");
@@ -46,7 +49,7 @@ TEST_F(ObjScene, HasAPassForEachImage) {
 // The box from (100, 0, 0) to (104, 2, 0) has half a diagonal of the square root of 5.
 TEST_F(ObjScene, IsInTheMiddle) {
     write("box.obj", box);
-    const Result<Scene> scene = readObjScene(dir / "box.obj");
+    const Result<Scene> scene = sceneIn(dir / "box.obj");
     ASSERT_TRUE(scene) << describe(scene.error());
     const std::vector<glm::vec3>& positions = scene->models[0].mesh.positions;
     EXPECT_NEAR(positions[0].x, -4 / std::sqrt(5.0F), 1e-5F);
@@ -58,7 +61,7 @@ TEST_F(ObjScene, IsASceneLikeThatOfAnyFile) {
     write("Box.OBJ", box);
     const Result<std::string> text = readSceneText(dir / "Box.OBJ");
     ASSERT_TRUE(text) << describe(text.error());
-    EXPECT_EQ(parseScene(*text), readObjScene(dir / "Box.OBJ"));
+    EXPECT_EQ(parseScene(*text), sceneIn(dir / "Box.OBJ"));
 }
 
 TEST_F(ObjScene, WithMoreImagesThanPassesIsDrawnWithTheFirst) {
@@ -70,19 +73,25 @@ TEST_F(ObjScene, WithMoreImagesThanPassesIsDrawnWithTheFirst) {
     }
     write("many.obj", text);
     write("many.mtl", library);
-    const Result<Scene> scene = readObjScene(dir / "many.obj");
+    const Result<Scene> scene = sceneIn(dir / "many.obj");
     ASSERT_TRUE(scene) << describe(scene.error());
     EXPECT_EQ(scene->passes.size(), maxPasses);
     EXPECT_THAT(scene->passes.back().models, ElementsAre(7, 8, 9));
 }
 
+TEST_F(ObjScene, NamesItsLibraries) {
+    write("box.obj", box);
+    EXPECT_EQ(readObjScene(dir / "box.obj")->notes.size(), 1U);
+    write("box.mtl", "newmtl wood\nnewmtl stone\nnewmtl plain\n");
+    EXPECT_THAT(readObjScene(dir / "box.obj")->libraries, ElementsAre(dir / "box.mtl"));
+}
+
 TEST_F(ObjScene, ThatIsWrongNamesTheFile) {
     write("wrong.obj", "v 0 0 0\nf 1 2 3\n");
-    const Result<Scene> scene = readObjScene(dir / "wrong.obj");
+    const Result<Scene> scene = sceneIn(dir / "wrong.obj");
     ASSERT_FALSE(scene);
-    EXPECT_THAT(
-        describe(scene.error()).english(),
-        testing::AllOf(HasSubstr("wrong.obj"), HasSubstr("polygon 1: expected v from 1 to 1, found 2")));
+    EXPECT_THAT(describe(scene.error()).english(),
+                testing::AllOf(HasSubstr("wrong.obj"), HasSubstr("line 2: expected v from 1 to 1, found 2")));
     EXPECT_FALSE(readObjScene(dir / "gone.obj"));
 }
 
