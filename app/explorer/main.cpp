@@ -171,9 +171,9 @@ void describeProgram(CommandLine& line) {
 void declareOptions(CommandLine& line, Words& words) {
     line.option(
         "FILE", words.files,
-        N_("Scene files (JSON) and images. Images become textures of the scene, and the first one is shown. A "
-           "PNG drawn by texshot contains its scene; if it is the only file, the window asks whether to open "
-           "the scene or the image."));
+        N_("Scene files (JSON), OBJ files and images. Images become textures of the scene, and the first one "
+           "is shown. The models of an OBJ file become a scene. A PNG drawn by texshot contains its scene; if "
+           "it is the only file, the window asks whether to open the scene or the image."));
     line.option("--renderer", words.renderer,
                 fmt::format("The renderer that the view begins with, one of {}. Default: the first one that "
                             "the driver has.",

@@ -79,11 +79,26 @@ Result<std::optional<SceneText>> sceneIn(const fs::path& file) {
     return std::nullopt;
 }
 
+/// A scene from a file. Of a picture or an OBJ file, it is saved as another file.
+void takeScene(Load& load, const fs::path& path, SceneText read) {
+    const fs::path file = absolutePath(path);
+    const bool isObj = isObjName(file);
+    const bool isSource = isObj || isPictureWithScene(file);
+    load.kind = Load::Kind::Scene;
+    load.path = isSource ? fs::path() : file;
+    load.suggested = isSource ? fs::path(file).replace_extension(sceneExtension) : fs::path();
+    load.scene = std::move(read.scene);
+    load.fileHash = std::move(read.hash);
+    load.images = ImageSource(file.parent_path());
+    load.goesOn = isObj; // without images that aren't there
+}
+
 /// Several files as one load: invalid files and a second scene are already refused.
 Load sorted(const Session& session, const std::vector<fs::path>& files) {
     Load load{
         .kind = Load::Kind::Add, .pass = session.look.selection.pass, .unit = session.look.selection.unit};
     std::vector<fs::path> images;
+    fs::path opened;
     for (const fs::path& file : files) {
         Result<std::optional<SceneText>> read = sceneIn(file);
         if (!read) {
@@ -93,21 +108,18 @@ Load sorted(const Session& session, const std::vector<fs::path>& files) {
         } else if (load.kind == Load::Kind::Scene) {
             load.refused.push_back({ErrorCode::OutOfRange,
                                     Sentence("only one scene is shown at a time, and {0} is opened",
-                                             ProperName{load.path.filename().string()}),
+                                             ProperName{opened.filename().string()}),
                                     inFile(file.string())});
         } else {
-            load.kind = Load::Kind::Scene;
-            load.path = absolutePath(file);
-            load.scene = std::move((*read)->scene);
-            load.fileHash = std::move((*read)->hash);
-            load.images = ImageSource(load.path.parent_path());
+            opened = file;
+            takeScene(load, file, **std::move(read));
             load.pass = load.unit = 0;
         }
     }
     const ImageSource& target = load.kind == Load::Kind::Scene ? load.images : session.document.images;
     for (const fs::path& image : images)
         load.added.push_back(nameIn(target, image));
-    load.goesOn = files.size() > 1;
+    load.goesOn = load.goesOn || files.size() > 1;
     load.before = session.document.scene;
     return load;
 }
@@ -166,18 +178,9 @@ Result<void> openScene(Session& session, const fs::path& path) {
         return fail(read.error());
     const fs::path file = absolutePath(path);
     rememberFile(session.settings, file);
-    const bool isObj = isObjName(file);
-    const bool isSource = isObj || isPictureWithScene(file); // the scene becomes another file
-    fs::path suggested = file;
-    suggested.replace_extension(sceneExtension);
-    start(session, {.kind = Load::Kind::Scene,
-                    .path = isSource ? fs::path() : file,
-                    .goesOn = isObj, // without images that aren't there
-                    .scene = std::move(read->scene),
-                    .before = session.document.scene,
-                    .images = ImageSource(file.parent_path()),
-                    .fileHash = std::move(read->hash),
-                    .suggested = isSource ? std::move(suggested) : fs::path()});
+    Load load{.before = session.document.scene};
+    takeScene(load, file, *std::move(read));
+    start(session, std::move(load));
     return {};
 }
 
