@@ -24,8 +24,9 @@ Texture baseSettings(const Texture& texture) {
     settings.mipFilter = MipFilter::Box;
     settings.mipGamma = false;
     settings.mipCoverage = 0;
-    if (factsOf(texture.internalFormat).encoding != Encoding::Linear ||
-        isGenericCompressed(texture.internalFormat))
+    const bool isPlain = factsOf(texture.internalFormat).encoding == Encoding::Linear &&
+                         !isGenericCompressed(texture.internalFormat);
+    if (!isPlain && !isRefused(texture.internalFormat)) // of a refused one nothing is shown
         settings.internalFormat = internalFormat(baseFormat(texture.internalFormat));
     return settings;
 }

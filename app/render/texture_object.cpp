@@ -189,7 +189,7 @@ Result<void> readImages(GLenum aim, int face, int maxLevels, std::vector<Texture
             levels.push_back({level, std::move(image), face});
             continue;
         }
-        BlockImage image = BlockImage::uninitialised(static_cast<BlockFormat>(stored), width, height);
+        BlockImage image = BlockImage::uninitialised(static_cast<BlockFormat>(stored), width, height, std::max(depth, 1));
         const auto size = static_cast<std::size_t>(ask(level, GL_TEXTURE_COMPRESSED_IMAGE_SIZE));
         if (size != image.blocks.size())
             return fail(ErrorCode::Driver,

@@ -97,7 +97,7 @@ Sentence noBorder(const Texture& texture, const TextureFacts& facts) {
                           return texture.mipmaps != MipPolicy::FromFile &&
                                  hasBorderExtents(widthOf(base), heightOf(base), depthOf(base), axes);
                       });
-    return cuts ? "" : noBorderColor(texture, facts);
+    return cuts || texture.border > 1 ? "" : noBorderColor(texture, facts);
 }
 
 Sentence noMipmaps(const Texture& texture, const TextureFacts&) {

@@ -128,7 +128,7 @@ void averagedAsStored(const Case& about, Report& report) {
 }
 
 constexpr std::array formatRuleRows{
-    Rule{"format-refused", Severity::Error, refused},
+    Rule{"format-refused", Severity::Error, refused, true},
     Rule{"srgb-levels", Severity::Warning, averagedAsStored},
     Rule{"srgb-not-encoded", Severity::Note, decodedOnly},
     Rule{"drivers-choice", Severity::Note, driversChoice},

@@ -330,7 +330,7 @@ constexpr std::array textureRuleRows{
     Rule{"held-back", Severity::Warning, heldBack, true},
     Rule{"held-back-elsewhere", Severity::Note, heldBackElsewhere},
     Rule{"missing-format", Severity::Warning, lacksFormat, true},
-    Rule{"border-refused", Severity::Error, refusedBorder},
+    Rule{"border-refused", Severity::Error, refusedBorder, true},
     Rule{"lost-border", Severity::Warning, lostBorder},
     Rule{"rough-lambda", Severity::Note, roughLambda},
 };

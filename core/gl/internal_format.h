@@ -100,7 +100,7 @@ inline constexpr auto internalFormatRows = [] {
         row(Srgb, "GL_SRGB", "sRGB", anyBits, "2.1"),
         row(SluminanceAlpha, "GL_SLUMINANCE_ALPHA", "sLuminance + alpha", anyBits, "2.1"),
         row(Sluminance, "GL_SLUMINANCE", "sLuminance", anyBits, "2.1"),
-        row(Srgb8Alpha8, "GL_SRGB8_ALPHA8", "sRGB8 alpha8",
+        row(Srgb8Alpha8, "GL_SRGB8_ALPHA8", "sRGB8 A8",
             "The image's colours are sRGB, as in most files, and are converted to amounts of light before "
             "filtering. Alpha is unchanged.",
             "2.1"),
@@ -137,8 +137,11 @@ inline constexpr auto internalFormatRows = [] {
             "A forgotten value: OpenGL takes 1 to 4 components, and 0 is GL_INVALID_VALUE."),
         row(Components5, "5", "5 components", "OpenGL takes 1 to 4 components: 5 is GL_INVALID_VALUE."),
     };
-    for (EnumRow& each : rows)
+    for (EnumRow& each : rows) {
         each.group = groupOf(static_cast<InternalFormat>(each.value));
+        if (each.since == "1.0" && each.name.starts_with("GL_")) // as internal formats
+            each.since = "1.1";
+    }
     return rows;
 }();
 

@@ -18,6 +18,7 @@ void showPattern(Texture& texture, Pattern pattern) {
     texture.compression = Compression::FromFile;
     texture.transparency = Transparency::File;
     texture.preparation.clear();
+    texture.border = 0;
     texture.upload = {};
     texture.compareMode = CompareMode::None;
     if (texture.mipmaps == MipPolicy::Given || texture.mipmaps == MipPolicy::FromFile)

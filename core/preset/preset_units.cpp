@@ -115,6 +115,8 @@ Result<void> wrongUnit(const PresetTarget& target) {
         *other = target.unit;
     }
     showPatternUnlessOwn(target.texture, Pattern::Checker);
+    target.texture.magFilter = MagFilter::Nearest; // one texel, and not the mean of four corners
+    target.texture.minFilter = MinFilter::Nearest;
     takeGivenCoordinates(*other);
     target.unit.enabled = false;
     std::vector<int>& leftOut =

@@ -346,7 +346,7 @@ void Workbench::choose(std::string_view param, std::string_view name) {
     const std::string groups = fmt::format("{}#group ", param); // or in a submenu of it
     for (const auto& [group, item] : std::map(places.items.begin(), places.items.end())) {
         if (!has(choice) && group.starts_with(groups))
-            moveTo({(item.left + item.right) / 2, (item.top + item.bottom) / 2});
+            clickAt({(item.left + item.right) / 2, (item.top + item.bottom) / 2});
     }
     click(choice);
 }

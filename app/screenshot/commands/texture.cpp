@@ -14,6 +14,7 @@
 #include "texplorer/image/depth_pixels.h"
 #include "texplorer/reference/light_depth.h"
 #include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/scene/params/keys.h"
 #include "texplorer/texture/saved_texture.h"
 
 #include <fmt/core.h>
@@ -101,7 +102,14 @@ Result<ReadTexture> readFromDriver(const TextureOptions& options, const OpenedSc
     if (const auto drawn = (*studio)->draw(RendererKind::Fixed, {opened.scene, opened.images, 0, side, side});
         !drawn)
         return fail(drawn.error());
-    return (*studio)->read(static_cast<std::size_t>(options.texture), *target);
+    Result<ReadTexture> read = (*studio)->read(static_cast<std::size_t>(options.texture), *target);
+    const Texture& texture = opened.scene.textures[static_cast<std::size_t>(options.texture)];
+    if (const auto made = read ? Result<TextureLevels>()
+                               : prepareLevels(texture, opened.images.picturesOf(texture), *target);
+        !made)
+        return fail(made.error().code, made.error().message,
+                    elementOf<&Scene::textures>(static_cast<std::size_t>(options.texture)));
+    return read;
 }
 
 /// A level of the first face, decompressed, the row at t = 0 below.
