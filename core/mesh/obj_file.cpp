@@ -166,6 +166,8 @@ void readMaterials(const std::vector<std::string>& names, const ReadMaterials& r
             notes.push_back(Sentence("the material library {0} can't be read: drawn without its materials",
                                      ProperName{name}));
     }
+    if (all.empty()) // of no text the library makes a material
+        return;
     std::istringstream stream(all);
     std::map<std::string, int> numbers;
     std::string warning;

@@ -114,8 +114,8 @@ Result<void> wrongUnit(const PresetTarget& target) {
         other = &target.pass.units[*free];
         *other = target.unit;
     }
-    showPatternUnlessOwn(target.texture, Pattern::Checker);
-    target.texture.magFilter = MagFilter::Nearest; // one texel, and not the mean of four corners
+    showPatternUnlessOwn(target.texture, Pattern::Planet); // white at (0, 0)
+    target.texture.magFilter = MagFilter::Nearest;         // one texel, and not the mean of four corners
     target.texture.minFilter = MinFilter::Nearest;
     takeGivenCoordinates(*other);
     target.unit.enabled = false;
