@@ -16,6 +16,7 @@
 #include "app/ui/window/layout.h"
 #include "app/view/driver_facts.h"
 #include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/storage/obj_scene.h"
 #include "texplorer/texture/levels_source.h"
 
 #include <GL/glew.h>
@@ -73,7 +74,9 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     }
 
     ui::ServicesAtOnce services(request.levels);
-    ui::Session session(services.lend(), {request.scene, request.images, request.file});
+    const bool isSource = isObjName(request.file); // the scene would become another file
+    ui::Session session(services.lend(),
+                        {request.scene, request.images, isSource ? std::filesystem::path() : request.file});
     ui::Workspace& workspace = session.settings.workspace;
     workspace = workspaceOf(request.layout);
     session.settings.theme = request.theme;
