@@ -168,7 +168,7 @@ class ObjFiles(Texshot):
         (self.path / "square.obj").write_text(self.square + self.face)  # without its library
         without = texshot("scene", self.path / "square.obj")
         self.assertEqual((without.returncode, json.loads(without.stdout)["models"][0]["shape"]), (0, "mesh"))
-        self.assertIn("square.mtl can't be read", without.stderr)
+        self.assertIn(b"square.mtl can't be read", without.stderr)
         (self.path / "square.mtl").write_text("newmtl paint\nmap_Kd gone.png\n")
         self.complains(1, "gone.png", "shot", self.path / "square.obj", "-o", self.path / "x.png")
         self.complains(2, "square.mtl", "scene", self.path / "square.obj", "-o", self.path / "square.mtl")
