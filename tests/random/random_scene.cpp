@@ -6,6 +6,7 @@
 #include "texplorer/reference/raster/triangle.h"
 #include "texplorer/reference/sampling/lod.h"
 #include "texplorer/scene/model_mesh.h"
+#include "texplorer/scene/params/keys.h"
 #include "texplorer/scene/params/params.h"
 
 #include <algorithm>
@@ -368,6 +369,13 @@ void letItBeSeen(Scene& scene) {
     }
 }
 
+void keepLastRow(std::vector<MatrixStep>& steps) {
+    for (MatrixStep& step : steps) {
+        for (int column = 0; column < 4; ++column)
+            step.matrix[column].w = column == 3 ? 1.0F : 0.0F;
+    }
+}
+
 /// Removes what drivers draw differently from the specification, or may.
 void takeAwayWhatDiffers(Scene& scene) {
     std::erase_if(scene.timeline.keys, [](const KeyFrame& key) {
@@ -379,17 +387,11 @@ void takeAwayWhatDiffers(Scene& scene) {
         for (glm::vec4& each : list)
             each.q = 1;
     };
-    const auto leaveQ = [](std::vector<MatrixStep>& steps) {
-        for (MatrixStep& step : steps) {
-            for (int column = 0; column < 4; ++column)
-                step.matrix[column].w = column == 3 ? 1.0F : 0.0F;
-        }
-    };
     for (Model& model : scene.models) {
         std::ranges::for_each(model.texCoords, setQ);
         setQ(model.mesh.texCoords);
         for (ModelUnit& unit : model.units)
-            leaveQ(unit.matrix);
+            keepLastRow(unit.matrix);
         model.pointSize = std::round(model.pointSize);
         const int width = reference::roundedSize(model.lineWidth);
         model.lineWidth = static_cast<float>(std::max(3, width - (width % 2 == 0 ? 1 : 0)));
@@ -421,7 +423,7 @@ void takeAwayWhatDiffers(Scene& scene) {
     for (Pass& pass : scene.passes) {
         for (Unit& unit : pass.units) {
             unit.texGenQ.enabled = false;
-            leaveQ(unit.matrix);
+            keepLastRow(unit.matrix);
             if (!unit.enabled)
                 continue;
             Texture& texture = scene.textures[static_cast<std::size_t>(unit.texture)];
@@ -443,6 +445,26 @@ void takeAwayWhatDiffers(Scene& scene) {
 }
 
 } // namespace
+
+void leaveQ(Scene& scene) {
+    std::erase_if(scene.timeline.keys,
+                  [](const KeyFrame& key) { return key.path.ends_with("." + keyOf<&MatrixStep::matrix>()); });
+    const auto leave = [](std::vector<MatrixStep>& steps) {
+        keepLastRow(steps);
+        for (MatrixStep& step : steps) {
+            if (step.op == MatrixOp::Projector)
+                step.op = MatrixOp::Multiply;
+        }
+    };
+    for (Model& model : scene.models) {
+        for (ModelUnit& unit : model.units)
+            leave(unit.matrix);
+    }
+    for (Pass& pass : scene.passes) {
+        for (Unit& unit : pass.units)
+            leave(unit.matrix);
+    }
+}
 
 RandomScene randomScene(unsigned seed, int number, std::span<const std::string> files) {
     constexpr std::array tempers{Temper::Comparable, Temper::Ordinary, Temper::Mixed, Temper::Wild};

@@ -30,4 +30,8 @@ struct RandomScene {
 /// patterns.
 [[nodiscard]] RandomScene randomScene(unsigned seed, int number, std::span<const std::string> files);
 
+/// Gives each matrix of texture coordinates the last row 0, 0, 0, 1, and no projector: where q runs through
+/// 0, the last bits of a number decide which texel is read.
+void leaveQ(Scene& scene);
+
 } // namespace texplorer::random

@@ -80,8 +80,12 @@ Result<void> writeScenes(const SceneFiles& files) {
                 return key.path.ends_with(keyOf<&Texture::maxAnisotropy>());
             });
             keepMovable(random.scene);
+            leaveQ(random.scene);
             for (Texture& texture : random.scene.textures) {
                 texture.maxAnisotropy = 1;
+                texture.border = std::min(texture.border, 1); // OpenGL refuses others, which ends a program
+                if (isRefused(texture.internalFormat))
+                    texture.internalFormat = internalFormat(baseFormat(texture.internalFormat));
                 if (texture.mipmaps == MipPolicy::Glu) // which rounds in its own way
                     texture.mipmaps = MipPolicy::Generated;
             }
