@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         fuzz::broken("the image has another size than the call");
 
     Bytes whole(memory.begin(), memory.end()); // with the zeros that count beyond the end
-    whole.resize(std::max<std::size_t>(whole.size(), bytesRead(call, extent)));
+    whole.resize(std::max<std::size_t>(whole.size(), bytesRead(call, extent)), std::byte{0});
     if (readPixels(whole, call, extent) != image)
         fuzz::broken("bytes beyond the end are not 0");
     const ByteRange last = bytesOf(call, extent, extent.width - 1, extent.height - 1, extent.depth - 1);
