@@ -49,7 +49,7 @@ struct Batches {
     int count = 0;
     int size = 50;                      ///< numbers a child: from a multiple of it to the next
     unsigned jobs = 1;                  ///< children at a time
-    unsigned limitSeconds = 120;        ///< for one step, by the clock
+    unsigned limitSeconds = 600;        ///< for one step, by the clock
     unsigned long long memoryLimit = 0; ///< of a child, bytes of address space; 0: none, nor under ASan
     std::function<void(int done)> progress = nullptr; ///< how many numbers are through
 };

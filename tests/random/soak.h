@@ -15,7 +15,7 @@ struct Subject {
     std::string many;                          ///< "random scenes"
     std::string arguments;                     ///< of texplorer_soak, except those that choose the numbers
     int batch = 1;                             ///< numbers that run in one process
-    unsigned limitSeconds = 120;               ///< of a step, as in Batches
+    unsigned limitSeconds = 600;               ///< of a step, as in Batches
     unsigned long long memoryLimit = 0;        ///< of a process, as in Batches
     std::function<Work(int first)> open = {};  ///< as in runBatches
     std::function<void(int number)> keep = {}; ///< called for each that failed; may throw

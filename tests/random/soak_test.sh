@@ -3,7 +3,11 @@
 set -euo pipefail
 soak=$1
 folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+tell() {
+    [ $? = 0 ] || cat "$folder/said" "$folder/again.txt" || true
+    rm -rf "$folder"
+}
+trap tell EXIT
 
 cp -r "$2" "$folder/shaders"
 # Every texel is turned into its negative, so that hardly a scene is drawn rightly.
@@ -12,7 +16,6 @@ sed -i 's/vec4 texelUNIT = \(texture.*\);/vec4 texelUNIT = 1.0 - \1;/' "$folder/
 
 if "$soak" scenes --count 25 --keep "$folder/kept" --shaders "$folder/shaders" >"$folder/said"; then
     echo "shaders that are wrong were not found:"
-    cat "$folder/said"
     exit 1
 fi
 grep -q '^25 random scenes: not all well$' "$folder/said"
@@ -25,4 +28,4 @@ if $command --keep "$folder/again" >"$folder/again.txt"; then
     exit 1
 fi
 grep -q "^scene $number: differ: shader-fixed" "$folder/again.txt"
-"$soak" scenes --first "$number" --count 1 --keep "$folder/again" >/dev/null
+"$soak" scenes --first "$number" --count 1 --keep "$folder/again" >"$folder/again.txt"

@@ -14,7 +14,6 @@ Subject subjectOf(std::string one, std::string many, std::string command, unsign
     subject.many = std::move(many);
     subject.arguments = std::move(command) + " --seed " + std::to_string(seed);
     subject.batch = 10;
-    subject.limitSeconds = 600; // what a window leaves to its workers is done at once here
     subject.open = [seed](int) -> Work {
         return [seed](int number, Journal& journal) { Trial(seed, number, journal).run(); };
     };
