@@ -30,9 +30,9 @@ const PanelBackend coreBackend{[] { ImGui_ImplOpenGL3_Init(shadingLanguage()); }
                                ImGui_ImplOpenGL3_NewFrame,
                                ImGui_ImplOpenGL3_RenderDrawData};
 
-/// nullptr: not ready. The light's view can change with every frame, so that a worker would never finish it.
+/// nullptr: not ready. What is drawn can change with every frame, so that a worker would never finish it.
 std::shared_ptr<const PreparedLevels> preparedFor(const LevelsRequest& request, LevelsSource& source) {
-    if (request.settings.source != SourceKind::LightDepth)
+    if (!isDrawn(request.settings.source))
         return source.prepare(request);
     return std::make_shared<const PreparedLevels>(
         prepareLevels(request.settings, request.pictures, request.target));
@@ -87,7 +87,7 @@ view::PictureHandle CoreGraphics::showTexture(const Texture& texture, const Imag
                 if (*made || made->error().code != ErrorCode::Cancelled)
                     texture_ = pictureOf(*request, *made);
                 previewed_ = request;
-                if (request->settings.source != SourceKind::LightDepth)
+                if (!isDrawn(request->settings.source))
                     levels.uploaded(*request, made, {});
             }
         }

@@ -52,7 +52,7 @@ Sentence lackingFormat(const TextureLevels& levels, const view::Capabilities& ca
 void LiveTexture::follow(const LevelsRequest& request, const view::Capabilities* capabilities,
                          LevelsSource* source, std::string_view where) {
     cancelled_ = false;
-    if (request.settings.source == SourceKind::LightDepth) // may change with every frame: at once or never
+    if (isDrawn(request.settings.source)) // may change with every frame: at once or never
         source = nullptr;
     giveBack(source); // one frame later: reading takes time, as does the last part of an upload
     if (shown_ == request)

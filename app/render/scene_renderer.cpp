@@ -41,6 +41,22 @@ CoordUse coordUseOf(const BoundTexture& texture) {
     return texture.lateFlip == LateFlip::Coordinates ? CoordUse::Flipped : CoordUse::AsGiven;
 }
 
+Result<Image> readPixels(const RenderTarget& target) {
+    const view::Size size = target.size();
+    Image image;
+    try {
+        image = Image::uninitialised(PixelFormat::Rgba8, size.width, size.height);
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::TooLarge,
+                    Sentence("not enough memory for a picture of {0} pixels", asText(size)));
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+    glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    if (GlErrors errors; !errors.check("glReadPixels"))
+        return fail(ErrorCode::Driver, errors.sentences().front());
+    return image;
+}
+
 } // namespace
 
 struct SceneRenderer::State {
@@ -71,6 +87,7 @@ struct SceneRenderer::State {
     std::unique_ptr<Pipeline> pipeline;
     view::Size limit;
     RenderTarget target;
+    RenderTarget pictures; ///< that textures show
     std::shared_ptr<TextureCache> textures;
     MeshCache meshes;
     std::optional<Drawn> drawn;
@@ -93,30 +110,48 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
         return fail(ErrorCode::OutOfRange, Sentence("a picture has 1 × 1 to {0} pixels, not {1}",
                                                     asText(state.limit), asText(size)));
     const auto begin = std::chrono::steady_clock::now();
+    view::Frame frame{.size = size};
     state.errors = {};
     state.levels = levels;
     state.errors.check(N_("before the scene was drawn")); // caused by other code, but not yet reported
     try {
         const StateGuard guard;
         state.errors.check("glPushAttrib");
+        const StandingScene standing(scene, time);
+        state.meshes.beginFrame();
+        const auto drawPicture = [&state](const Scene& picture, const ImageSource& known, double then,
+                                          int extent) -> Result<Image> {
+            const view::Size square{extent, extent};
+            if (const Result<void> bound = state.pictures.bind(square); !bound)
+                return fail(bound.error());
+            state.drawScene(picture, known, then, square);
+            return readPixels(state.pictures);
+        };
+        Result<ImageSource> all = state.textures->withDrawn(images, *standing, scene, time, drawPicture);
+        if (!all)
+            return fail(all.error());
         if (const Result<void> bound = state.target.bind(size); !bound)
             return fail(bound.error());
-        const StandingScene standing(scene, time);
-        state.drawScene(*standing, state.textures->withLightDepths(images, *standing, time), time, size);
+        state.drawScene(reference::hasPictures(*standing) ? reference::picturedScene(*standing, 0) : *standing, *all, time, size);
         state.remember(*standing, time, size);
+        frame.pictures = all->pictures();
+        frame.shaders = state.pipeline->shaders();
+        for (std::size_t i = 0; i < frame.shaders.size(); ++i) {
+            if (!standing->passes[i].enabled)
+                frame.shaders[i] = nullptr;
+        }
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "not enough memory for the scene's images and meshes");
     }
     state.errors.check("glPopAttrib");
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
-    return view::Frame{handleOf(state.target.texture()),
-                       size,
-                       elapsed.count(),
-                       state.errors.sentences(),
-                       state.textures->isUploading(),
-                       state.pipeline->shaders(),
-                       state.textures->stored(),
-                       state.revision};
+    frame.picture = handleOf(state.target.texture());
+    frame.milliseconds = elapsed.count();
+    frame.problems = state.errors.sentences();
+    frame.unfinished = state.textures->isUploading();
+    frame.stored = state.textures->stored();
+    frame.revision = state.revision;
+    return frame;
 }
 
 void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& images, double time,
@@ -131,7 +166,6 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
     pipeline->beginFrame(scene, aspect, errors);
     textures->keepOnly(scene);
-    meshes.beginFrame();
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
         if (!scene.passes[i].enabled)
             continue;
@@ -230,25 +264,12 @@ Result<std::vector<TextureLevel>> SceneRenderer::readTexture(std::size_t index, 
 
 Result<Image> SceneRenderer::read() {
     State& state = *state_;
-    const view::Size size = state.target.size();
-    if (size == view::Size{})
+    if (state.target.size() == view::Size{})
         return fail(ErrorCode::NotFound, "there is no picture to read: nothing has been drawn yet");
-
-    Image image;
-    try {
-        image = Image::uninitialised(PixelFormat::Rgba8, size.width, size.height);
-    } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::TooLarge,
-                    Sentence("not enough memory for a picture of {0} pixels", asText(size)));
-    }
     const StateGuard guard;
     static_cast<void>(
         GlErrors().check(N_("before the picture was read"))); // older errors do not belong to this call
-    glBindFramebuffer(GL_FRAMEBUFFER, state.target.framebuffer());
-    glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    if (GlErrors errors; !errors.check("glReadPixels"))
-        return fail(ErrorCode::Driver, errors.sentences().front());
-    return image;
+    return readPixels(state.target);
 }
 
 } // namespace texplorer::render

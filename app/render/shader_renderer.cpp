@@ -97,7 +97,7 @@ public:
 
     void beginFrame(const Scene& scene, float aspect, GlErrors& errors) override {
         projection_ = projectionMatrix(scene.view, aspect);
-        shaders_.assign(scene.passes.size(), nullptr);
+        shaders_.resize(scene.passes.size());
         if (programs_.size() > maxPrograms)
             programs_.clear();
         if (!folder_)
@@ -179,6 +179,7 @@ private:
         if (folder_ && !folder_->problem().empty())
             log.push_back({std::nullopt, 0, folder_->problem()});
         std::shared_ptr<const view::PassShader>& shown = shaders_[pass];
+        shown = nullptr;
         const ShaderProgram* program = nullptr;
         for (const glsl::ShaderPieces* pieces : candidates()) {
             const Result<glsl::ShaderSource> source = glsl::shaderSource(scene, pass, units, *pieces);
@@ -228,7 +229,7 @@ private:
     const ShaderProgram* program_ = nullptr;                           // of the current pass
     glsl::SampledUnits units_;                                         // of the current pass
     glm::mat4 projection_{1};
-    std::vector<std::shared_ptr<const view::PassShader>> shaders_; // of this frame
+    std::vector<std::shared_ptr<const view::PassShader>> shaders_; // of the last drawing of each pass
     std::uint64_t revision_ = 0;                                   // of the pieces in use
     std::optional<ShaderFolder> folder_;
     std::shared_ptr<const glsl::ShaderPieces> newest_; // of the folder

@@ -7,6 +7,7 @@
 #include "texplorer/diagnosis/visited_texels.h"
 #include "texplorer/reference/light_depth.h"
 #include "texplorer/scene/scene.h"
+#include "texplorer/reference/drawn_pictures.h"
 #include "texplorer/texture/image_source.h"
 
 #include <cstdint>
@@ -43,9 +44,11 @@ public:
     [[nodiscard]] BoundTexture prepare(const TextureUse& use, Target target, const ImageSource& images,
                                        LevelsSource* levels, GlErrors& errors);
 
-    /// The images including the light's view: the same ones for all users of this cache.
-    [[nodiscard]] ImageSource withLightDepths(const ImageSource& images, const Scene& scene, double time) {
-        return lightDepths_.addedTo(images, scene, time);
+    /// The images including the light's view and the pictures of passes, which `draw` draws: the same ones
+    /// for all users of this cache. The first scene is `scene` at that time.
+    [[nodiscard]] Result<ImageSource> withDrawn(const ImageSource& images, const Scene& standing,
+                                                const Scene& scene, double time, const reference::DrawPicture& draw) {
+        return pictures_.addedTo(lightDepths_.addedTo(images, standing, time), scene, time, draw, revision_);
     }
 
     /// The result of the last `prepare`, or nullptr.
@@ -68,6 +71,7 @@ private:
     view::Capabilities capabilities_;
     DriverFacts facts_;
     reference::LightDepths lightDepths_;
+    reference::DrawnPictures pictures_;
     std::map<std::pair<std::size_t, Target>, LiveTexture> slots_;
     std::uint64_t revision_ = 0;
 };

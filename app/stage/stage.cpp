@@ -160,6 +160,7 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float sec
     };
     const view::Size picture{toPixels(layout.picture.width), toPixels(layout.picture.height)};
     state_->frames.draw(session, picture);
+    session.drawn = state_->frames.images();
     const Texture* bound = ui::boundTexture(std::as_const(session));
     const view::PictureHandle texture =
         bound ? graphics.showTexture(*bound, state_->frames.images(), session.services.levels)

@@ -13,7 +13,7 @@ namespace texplorer::stage {
 
 void ViewFrames::draw(ui::Session& session, view::Size size) {
     frames_.clear();
-    addLightDepths(session);
+    addDrawnImages(session);
     Scene stepped;
     const Subject now{view::Side::Now, ui::shownScene(session, stepped), images_};
     for (const RendererKind kind : ui::shownRenderers(session.view)) {
@@ -28,6 +28,11 @@ void ViewFrames::draw(ui::Session& session, view::Size size) {
     if (kept)
         frames_.push_back(
             draw(session.view.renderer, {view::Side::Kept, *kept, session.document.images}, session, size));
+    for (const ui::ViewFrame& view : frames_) { // for the panels
+        if (view.side == view::Side::Now)
+            for (const auto& [key, picture] : view.frame.pictures)
+                images_.putPicture(key, picture);
+    }
     const bool asksReference =
         std::ranges::find(frames_, RendererKind::Reference, &ui::ViewFrame::renderer) != frames_.end();
     if (!asksReference)
@@ -56,16 +61,21 @@ void ViewFrames::draw(ui::Session& session, view::Size size) {
 }
 
 /// The reference draws its own on its thread: they are needed only if something else shows them.
-void ViewFrames::addLightDepths(const ui::Session& session) {
+void ViewFrames::addDrawnImages(const ui::Session& session) {
     const Texture* bound = ui::boundTexture(session);
     const auto isLive = [](RendererKind kind) { return kind != RendererKind::Reference; };
     images_ = session.document.images;
-    if (!(bound && bound->source == SourceKind::LightDepth) &&
-        std::ranges::none_of(ui::shownRenderers(session.view), isLive) &&
-        !isShown(session.settings.workspace, ui::Tab::Glsl))
-        return;
+    const bool draws = std::ranges::any_of(ui::shownRenderers(session.view), isLive) ||
+                       isShown(session.settings.workspace, ui::Tab::Glsl);
     Scene stepped;
-    images_ = lightDepths_.addedTo(images_, ui::shownScene(session, stepped), session.look.playback.time);
+    const Scene& scene = ui::shownScene(session, stepped);
+    const double time = session.look.playback.time;
+    if (draws || (bound && bound->source == SourceKind::LightDepth))
+        images_ = lightDepths_.addedTo(images_, scene, time);
+    if (!draws && bound && bound->source == SourceKind::Picture) { // otherwise a live renderer draws them
+        if (Result<ImageSource> drawn = reference_.drawnImages({scene, images_, time}))
+            images_ = std::move(*drawn);
+    }
 }
 
 void ViewFrames::addProblems(const std::vector<Sentence>& problems) {

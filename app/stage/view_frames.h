@@ -3,6 +3,7 @@
 #include "app/stage/graphics.h"
 #include "app/ui/model/session.h"
 #include "app/ui/state/view_frame.h"
+#include "texplorer/reference/draw.h"
 #include "texplorer/reference/light_depth.h"
 
 #include <array>
@@ -62,7 +63,7 @@ private:
         const ImageSource& images;
     };
 
-    void addLightDepths(const ui::Session& session);
+    void addDrawnImages(const ui::Session& session);
     [[nodiscard]] ui::ViewFrame draw(RendererKind kind, const Subject& subject, ui::Session& session,
                                      view::Size size);
     [[nodiscard]] ui::ViewFrame drawLive(RendererKind kind, const Subject& subject, ui::Session& session,
@@ -74,6 +75,7 @@ private:
 
     Graphics& graphics_;
     reference::LightDepths lightDepths_;
+    reference::ReferenceRenderer reference_; ///< draws pictures that only the panels show
     ImageSource images_;
     std::map<std::pair<view::Side, RendererKind>, Pixels> pixels_;
     std::vector<ui::ViewFrame> frames_;

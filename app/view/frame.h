@@ -6,6 +6,7 @@
 #include "app/view/stored_texture.h"
 #include "texplorer/base/sentence.h"
 #include "texplorer/gl/sampling.h"
+#include "texplorer/texture/image_source.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +29,8 @@ struct Frame {
     std::vector<std::shared_ptr<const PassShader>> shaders{};
     /// By texture of the scene and target: what the driver stores of the textures drawn.
     std::map<std::pair<std::size_t, Target>, std::shared_ptr<const StoredTexture>> stored{};
+    /// What passes draw for textures that show it.
+    std::map<PictureKey, std::shared_ptr<const TextureImage>> pictures{};
     std::uint64_t revision = 0; ///< of the picture: the same number, the same pixels as in the frame before
 };
 

@@ -61,6 +61,10 @@ constexpr std::array rows{
             "2.11.2", 72, scenes::matrixStack, rules::texelEdgeOnQuads, rules::lastBit},
     Feature{"projector", "the projector in the matrix: slides and shadows × wrap × filters × shapes",
             "2.11.2, 3.8.14", 80, scenes::projector, rules::texelEdge, rules::lastBit},
+    Feature{"subimages", "one to three replaced parts, that fit or not", "3.8.2", 48, scenes::subimages,
+            rules::exact, rules::exact},
+    Feature{"pictures", "pictures of passes × wrap × base formats, of themselves too", "3.8.2", 48,
+            scenes::pictures, rules::passes, rules::exact},
     Feature{"emboss", "coordinates that follow the light, by either matrix, at a place or not", "2.7", 48,
             scenes::emboss, rules::texelEdge, rules::lastBit},
     Feature{"nearest", "GL_NEAREST × wrap × shapes", "3.8.8", 72, scenes::nearest, rules::texelEdge,
@@ -114,7 +118,7 @@ constexpr int sumOfWeights() {
         sum += row.scenes;
     return sum;
 }
-static_assert(rows.size() == 48 && sumOfWeights() == defaultScenes);
+static_assert(rows.size() == 50 && sumOfWeights() == defaultScenes);
 
 } // namespace
 

@@ -32,6 +32,8 @@ Scene texGenOnShapes(int number, Dice& state, Dice& values);
 Scene matrix(int number, Dice& state, Dice& values);
 Scene matrixStack(int number, Dice& state, Dice& values);
 Scene projector(int number, Dice& state, Dice& values);
+Scene subimages(int number, Dice& state, Dice& values);
+Scene pictures(int number, Dice& state, Dice& values);
 
 // Filters.
 Scene nearest(int number, Dice& state, Dice& values);

@@ -1,3 +1,4 @@
+#include "texplorer/conform/feature.h"
 #include "texplorer/conform/scenes.h"
 #include "texplorer/conform/surfaces.h"
 
@@ -204,6 +205,57 @@ Scene projector(int number, Dice& state, Dice& values) {
         glm::vec4 plane(0);
         plane[axis++] = 1;
         *each = {true, TexGenMode::EyeLinear, {}, plane};
+    }
+    return scene;
+}
+
+Scene subimages(int number, Dice& state, Dice& values) {
+    const Source source = state.of(coloredSources);
+    Scene scene = texturedQuad(source, values);
+    Texture& texture = scene.textures[0];
+    for (int i = 0; i <= number % 3; ++i) {
+        Subimage part;
+        part.level = state.chance(8) ? 12 : source.level;
+        part.width = 1 + state.below(source.width / 2);
+        part.height = 1 + state.below(source.height / 2);
+        part.x = state.below(source.width - part.width + (state.chance(4) ? 4 : 1));
+        part.y = state.below(source.height - part.height + (state.chance(4) ? 4 : 1));
+        part.pattern = state.of(coloredSources).pattern;
+        texture.subimages.push_back(part);
+    }
+    return scene;
+}
+
+/// A pass draws the picture, which has as many pixels as the window, so that a quad covers both exactly.
+Scene pictures(int number, Dice& state, Dice& values) {
+    constexpr Source picture{Pattern::Checker, 0, extent, extent}; // its size
+    Scene scene = texturedQuad(state.of(coloredSources), values);
+    Model shown = scene.models[0];
+    placeTexels(shown, 0, picture, values);
+    scene.models.push_back(std::move(shown));
+    Texture texture;
+    texture.source = SourceKind::Picture;
+    texture.pictureSize = extent;
+    texture.magFilter = MagFilter::Nearest;
+    texture.minFilter = MinFilter::Nearest;
+    texture.wrapS = state.any<Wrap>();
+    texture.wrapT = state.any<Wrap>();
+    texture.borderColor = values.color();
+    texture.internalFormat = internalFormat(state.any<BaseFormat>());
+    scene.textures.push_back(std::move(texture));
+    scene.view.background = values.color();
+    scene.passes.resize(2, scene.passes[0]);
+    scene.passes[0].picture = 1;
+    scene.passes[0].models = {0};
+    scene.passes[1].models = {1};
+    scene.passes[1].units[0].texture = 1;
+    if (number % 2 == 1) { // shows itself, as the frame before left it
+        scene.textures[1].frames = 1 + state.below(3);
+        placeTexels(scene.models[0], 1, picture, values);
+        Unit& before = scene.passes[0].units[1];
+        before.enabled = true;
+        before.texture = 1;
+        before.envMode = EnvMode::Modulate;
     }
     return scene;
 }

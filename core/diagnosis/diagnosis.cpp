@@ -108,8 +108,8 @@ std::vector<Finding> diagnose(const Scene& scene, const ImageSource& images, con
     Report report(findings);
     for (const std::span<const Rule> rules :
          {textureRules(), sizeRules(), uploadRules(), formatRules(), unitRules(), matrixRules(), cubeRules(),
-          combineRules(), passRules(), alphaRules(), modelRules(), vertexRules(), lightRules(), sideRules(),
-          fogRules(), depthRules(), textureEffectRules()}) {
+          combineRules(), passRules(), pictureRules(), alphaRules(), modelRules(), vertexRules(),
+          lightRules(), sideRules(), fogRules(), depthRules(), textureEffectRules()}) {
         for (const Rule& rule : rules) {
             report.begin(rule.name, rule.severity, rule.reportedByRenderer);
             rule.find(about, report);

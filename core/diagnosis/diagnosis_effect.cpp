@@ -31,6 +31,8 @@ Sentence noFlip(const Texture& texture, const TextureFacts& facts) {
         return N_("a built-in pattern is upright");
     if (texture.source == SourceKind::LightDepth)
         return N_("the picture that the light sees is upright");
+    if (texture.source == SourceKind::Picture)
+        return N_("a picture of passes is upright");
     const auto isCube = [](const TargetFacts& each) { return each.target == Target::CubeMap; };
     if (std::ranges::any_of(facts.targets, isCube)) // whose rows begin at the top
         return facts.image && facts.image->fileTopFirst && std::ranges::all_of(facts.targets, isCube)
@@ -118,6 +120,8 @@ Sentence noLod(const Texture& texture, const TextureFacts&) {
 Sentence noUpload(const Texture& texture, const TextureFacts& facts) {
     if (texture.source == SourceKind::LightDepth)
         return N_("the driver copies the picture that the light sees");
+    if (texture.source == SourceKind::Picture)
+        return N_("the driver draws or copies the picture");
     const bool isRead = std::ranges::any_of(
         facts.targets, [](const TargetFacts& each) { return each.plan.upload.has_value(); });
     return texture.upload.custom && facts.image && !isRead
@@ -307,6 +311,9 @@ void unused(const Case& about, Report& report) {
         unless(texture.source == SourceKind::Pattern, keyOf<&Texture::pattern>(), named(texture.source));
         unless(texture.source == SourceKind::File, keyOf<&Texture::file>(), named(texture.source));
         unless(texture.source == SourceKind::LightDepth, keyOf<&Texture::depthSize>(), named(texture.source));
+        for (const Key& key : {keyOf<&Texture::picture>, keyOf<&Texture::pictureSize>,
+                               keyOf<&Texture::frames>, keyOf<&Texture::pictureCall>})
+            unless(texture.source == SourceKind::Picture, key(), named(texture.source));
         unless(texture.transparency == Transparency::Stencil, keyOf<&Texture::stencilColor>(),
                named(texture.transparency));
         const bool cached = texture.compression == Compression::Cached;
@@ -333,6 +340,15 @@ void unused(const Case& about, Report& report) {
             const bool isFile = level.source == SourceKind::File;
             unless(!isFile, owner + keyOf<&GivenLevel::pattern>(), named(level.source));
             unless(isFile, owner + keyOf<&GivenLevel::file>(), named(level.source));
+        }
+        for (std::size_t k = 0; k < texture.subimages.size(); ++k) {
+            const Subimage& subimage = texture.subimages[k];
+            const std::string owner = elementOf<&Texture::subimages>(k) + ".";
+            const bool isFile = subimage.source == SourceKind::File;
+            for (const Key& key :
+                 {keyOf<&Subimage::pattern>, keyOf<&Subimage::width>, keyOf<&Subimage::height>})
+                unless(!isFile, owner + key(), named(subimage.source));
+            unless(isFile, owner + keyOf<&Subimage::file>(), named(subimage.source));
         }
         for (std::size_t k = 0; k < texture.preparation.size(); ++k) {
             const ImageStep& step = texture.preparation[k];

@@ -236,7 +236,7 @@ bool hasMatrix(const Scene& scene, std::size_t pass, std::size_t unit) {
 bool isLeftMatrixRead(const Scene& scene, std::size_t pass, std::size_t unit) {
     for (std::size_t p = pass + 1; p < scene.passes.size(); ++p) {
         const Unit& later = scene.passes[p].units[unit];
-        if (scene.passes[p].enabled && later.enabled)
+        if (scene.passes[p].enabled && scene.passes[p].picture == scene.passes[pass].picture && later.enabled)
             return later.matrixStart != MatrixStart::Identity;
     }
     return false;

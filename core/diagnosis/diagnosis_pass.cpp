@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <span>
 
 namespace texplorer::diagnosis {
 namespace {
@@ -55,8 +57,10 @@ void nothingPasses(const Case& about, Report& report) {
 
 /// The same triangles have the same depths in every pass (appendix A.2): none is less than itself.
 void hiddenPass(const Case& about, Report& report) {
-    std::vector<bool> written(about.scene.models.size()); // whether a pass before has written a model's depth
+    std::map<int, std::vector<bool>> depths; // by picture: whether a pass before has written a model's depth
     forEachPass(about.scene, [&](const Pass& pass, const std::string& path, std::size_t) {
+        std::vector<bool>& written = depths[pass.picture];
+        written.resize(about.scene.models.size());
         const bool strict = pass.depthFunc == CompareFunc::Less;
         const std::vector<std::size_t> models = drawnModels(about.scene, pass);
         const bool drawn =
@@ -111,7 +115,9 @@ void noDepthTest(const Case& about, Report& report) {
         if (pass.depthTest || blends || !canHide(about.scene, pass))
             return;
         Fix fix{N_("Switch the depth test on"), {{path + keyOf<&Pass::depthTest>(), "true"}}};
-        if (p > 0) // no depth is less than that of a pass before
+        const auto before = std::span(about.scene.passes).first(p);
+        if (std::ranges::find(before, pass.picture, &Pass::picture) !=
+            before.end()) // no depth is less than that of a pass before
             fix.assignments.push_back({path + keyOf<&Pass::depthFunc>(), nameOf(CompareFunc::LessEqual)});
         report.add(path + keyOf<&Pass::depthTest>(),
                    N_("there is no depth test: what is drawn last covers nearer surfaces"), std::move(fix));

@@ -97,7 +97,8 @@ struct Rule {
 [[nodiscard]] std::span<const Rule> cubeRules();   ///< the edges of cube faces
 [[nodiscard]] std::span<const Rule> combineRules();
 [[nodiscard]] std::span<const Rule> passRules();
-[[nodiscard]] std::span<const Rule> alphaRules(); ///< what filters and levels do to alpha
+[[nodiscard]] std::span<const Rule> pictureRules(); ///< what passes draw, and parts that are replaced
+[[nodiscard]] std::span<const Rule> alphaRules();   ///< what filters and levels do to alpha
 [[nodiscard]] std::span<const Rule> modelRules();
 [[nodiscard]] std::span<const Rule> vertexRules(); ///< normals and coordinates: missing values or precision
 [[nodiscard]] std::span<const Rule> lightRules();  ///< and materials

@@ -38,7 +38,7 @@ void nonPowerOfTwo(const Case& about, Report& report) {
 /// Halves the image until it fits.
 std::vector<Fix> scaledDown(const Texture& texture, const PlannedLevel& base, int limit,
                             const std::string& path) {
-    if (texture.source == SourceKind::LightDepth || texture.preparation.size() >= maxImageSteps)
+    if (isDrawn(texture.source) || texture.preparation.size() >= maxImageSteps)
         return {};
     float share = 1;
     for (int extent = std::max({base.width, base.height, base.depth}); extent > limit; extent /= 2)

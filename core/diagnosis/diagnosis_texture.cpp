@@ -345,6 +345,8 @@ Key imageKey(const Texture& texture) {
         return keyOf<&Texture::file>;
     case SourceKind::LightDepth:
         return keyOf<&Texture::depthSize>;
+    case SourceKind::Picture:
+        return keyOf<&Texture::picture>;
     }
     return keyOf<&Texture::pattern>;
 }

@@ -342,7 +342,7 @@ bool CodeWriter::set(const std::string& state, const Value& value, const Value& 
 }
 
 Part CodeWriter::seconds() {
-    usesSeconds_ = true;
+    ++secondsUses_;
     return plain("seconds");
 }
 

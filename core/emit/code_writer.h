@@ -124,7 +124,9 @@ public:
 
     /// `seconds`, which draw() is then given.
     Part seconds();
-    [[nodiscard]] bool usesSeconds() const { return usesSeconds_; }
+    [[nodiscard]] bool usesSeconds() const { return secondsUses_ > 0; }
+    /// How often so far.
+    [[nodiscard]] int secondsUses() const { return secondsUses_; }
 
     /// Parameters whose calls are needed in any case, and have a word on what they do before them.
     void explain(std::set<std::string, std::less<>> paths) { explained_ = std::move(paths); }
@@ -166,7 +168,7 @@ private:
     std::set<std::string, std::less<>> explained_;
     int depth_ = 0;
     std::map<std::string, std::size_t, std::less<>> arrays_; ///< with which line each begins
-    bool usesSeconds_ = false;
+    int secondsUses_ = 0;
     KeyFrames* keys_ = nullptr;
     Taking taking_ = Taking::Still;
 };

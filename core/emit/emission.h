@@ -192,6 +192,19 @@ void writeShadowMapCalls(Emission& emission);
 [[nodiscard]] bool spinsInLight(const Emission& emission);
 /// Where a program can't draw what the light sees: why.
 [[nodiscard]] Result<void> checkShadowMaps(const Scene& scene, const KeyFrames& keys);
+/// The objects that show pictures of passes, in the order in which those are drawn, and the passes of each.
+[[nodiscard]] std::vector<std::size_t> picturesOf(const Emission& emission);
+[[nodiscard]] std::vector<std::size_t> passesOf(const Emission& emission, std::size_t object);
+/// Where a program can't draw such a picture: why.
+[[nodiscard]] Result<void> checkPictures(const Scene& scene, const KeyFrames& keys);
+/// Room for a picture.
+void writePictureRoom(Emission& emission, std::size_t object);
+/// A function that draws a picture, but for its passes: its head and its end. The first returns how often the
+/// seconds were used before it.
+[[nodiscard]] int beginPicture(Emission& emission, std::size_t object);
+void endPicture(Emission& emission, std::size_t object, int secondsUses);
+/// Its calls in a frame.
+void writePictureCalls(Emission& emission);
 /// The scene's: all of it.
 void writeMaterial(Emission& emission);
 /// How all of them are shaded, where that moves.

@@ -74,7 +74,6 @@ void writeProjection(Emission& emission) {
 void writeMatrices(Emission& emission, bool draws) {
     CodeWriter& writer = emission.writer;
     const View& view = emission.scene.view;
-    declareCamera(emission);
     writer.heading("background");
     writer.add("glViewport(0, 0, width, height);");
     writer.row(viewHolder(emission.scene), memberId<&View::background>);

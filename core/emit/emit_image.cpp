@@ -59,6 +59,8 @@ public:
         prepare(false);
         for (const LevelGroup& group : groupsOf(code_))
             writeGroup(group);
+        if (code_.mipmaps != MipPolicy::GenerateMipmap)
+            writeSubimages();
         prepare(true);
     }
 
@@ -81,12 +83,14 @@ private:
             upload(number,
                    {std::to_string(level.width), std::to_string(level.height), std::to_string(level.depth)},
                    level, faceOf(texels, level));
-            if (code_.mipmaps == MipPolicy::GenerateMipmap)
+            if (code_.mipmaps == MipPolicy::GenerateMipmap) {
+                writeSubimages();
                 writer_.add(
                     {{Part::Kind::Call, std::string(rowOf(code_.mipmaps).name),
                       pathOf(keyOf<&Texture::mipmaps>())},
                      plain(fmt::format("({}); ", rowOf(holder_.target).name)),
                      {Part::Kind::Comment, "/* makes the other levels; a function of OpenGL 3.0 */"}});
+            }
             return;
         }
         emission_.use(CFunction::Halve);
@@ -125,6 +129,40 @@ private:
         }
     }
 
+    /// glTexSubImage, where OpenGL takes it.
+    void writeSubimages() {
+        for (const SubimageCode& each : code_.subimages) {
+            const Subimage& subimage = texture_.subimages[each.index];
+            const std::string path = pathOf(elementOf<&Texture::subimages>(each.index)) + ".";
+            const std::string name = fmt::format("subimage{}", each.index);
+            const std::string texels = makeTexels(
+                each.texels, holder_.variable + "Subimage" + std::to_string(each.index), name, false, 1);
+            const auto own = [&](int value, const std::string& key) { return whole(value, path + key); };
+            const int axes = axesOf(holder_.target);
+            std::vector<Part> arguments{
+                isCube() ? plain(fmt::format("GL_TEXTURE_CUBE_MAP_POSITIVE_X + {}", subimage.z))
+                         : plain(std::string(rowOf(holder_.target).name)),
+                own(subimage.level, keyOf<&Subimage::level>()), own(subimage.x, keyOf<&Subimage::x>())};
+            if (axes > 1)
+                arguments.push_back(own(subimage.y, keyOf<&Subimage::y>()));
+            if (axes > 2)
+                arguments.push_back(own(subimage.z, keyOf<&Subimage::z>()));
+            arguments.push_back(whole(each.texels.width));
+            if (axes > 1)
+                arguments.push_back(whole(each.texels.height));
+            if (axes > 2)
+                arguments.push_back(whole(each.texels.depth));
+            std::vector<Part> parts{call(fmt::format("glTexSubImage{}D", axes)), plain("(")};
+            for (Part& argument : arguments) {
+                parts.push_back(std::move(argument));
+                parts.push_back(plain(", "));
+            }
+            parts.push_back(
+                plain(fmt::format("{}, {}, {});", rowOf(BaseFormat::Rgba).name, unsignedByteType, texels)));
+            writer_.add(std::move(parts));
+        }
+    }
+
     /// Where the texels of a face begin.
     [[nodiscard]] std::string faceOf(const std::string& texels, const LevelCode& level) const {
         if (!isCube())
@@ -137,13 +175,16 @@ private:
 
     /// Makes them, and says what they are called; `changes`: they are overwritten by those of other levels.
     std::string makeTexels(const LevelCode& level, bool changes) {
-        const std::string own = level.number == code_.levels.front().number
-                                    ? holder_.variable
-                                    : fmt::format("{}Level{}", holder_.variable, level.number);
-        const int count = level.width * level.height * level.depth * code_.faces;
-        const std::string variable = level.number == code_.levels.front().number
-                                         ? std::string("texels")
-                                         : fmt::format("texels{}", level.number);
+        const bool isFirst = level.number == code_.levels.front().number;
+        return makeTexels(
+            level, isFirst ? holder_.variable : fmt::format("{}Level{}", holder_.variable, level.number),
+            isFirst ? std::string("texels") : fmt::format("texels{}", level.number), changes, code_.faces);
+    }
+
+    /// The same; `own` is what its arrays outside the function are called, `variable` the one inside.
+    std::string makeTexels(const LevelCode& level, const std::string& own, const std::string& variable,
+                           bool changes, int faces) {
+        const int count = level.width * level.height * level.depth * faces;
         if (level.source == TexelSource::Compressed) {
             const std::string name = own + "Blocks";
             emission_.addData("GLubyte", name, level.bytes.size(), numbersOf(level));
@@ -156,7 +197,7 @@ private:
         }
         if (level.source == TexelSource::Memory)
             return writeMemory(emission_, {owner_, &level}, texture_.upload, own + "Memory");
-        const std::string size = product({level.width, level.height, level.depth, code_.faces, 4});
+        const std::string size = product({level.width, level.height, level.depth, faces, 4});
         if (level.source == TexelSource::Listed) {
             std::vector<std::uint8_t> bytes(level.bytes.size());
             std::ranges::transform(level.bytes, bytes.begin(),
@@ -381,6 +422,8 @@ void writeTexels(Emission& emission, const Holder& holder, std::size_t object) {
         return emission.writer.comment("nothing shows it");
     if (texture.source == SourceKind::LightDepth)
         return writeDepthsOfLight(emission, holder, texture, object);
+    if (texture.source == SourceKind::Picture)
+        return writePictureRoom(emission, object);
     if (!code)
         return emission.writer.comment(texture.file.empty() ? "no file is chosen" : "the file isn't there");
     if (!*code)

@@ -37,6 +37,7 @@ std::string originOf(const Texture& texture) {
     case SourceKind::File:
         return texture.file.empty() ? "no file" : fmt::format("\"{}\"", texture.file);
     case SourceKind::LightDepth:
+    case SourceKind::Picture:
         break;
     }
     return std::string(rowOf(texture.source).label);

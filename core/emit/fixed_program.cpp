@@ -3,6 +3,7 @@
 #include "texplorer/emit/emission.h"
 #include "texplorer/emit/program_frame.h"
 #include "texplorer/gl/argument_names.h"
+#include "texplorer/reference/drawn_pictures.h"
 #include "texplorer/scene/animation.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/params/keys.h"
@@ -60,11 +61,11 @@ void writePassState(Emission& emission, std::size_t index) {
     }
 }
 
-/// The passes that draw something.
+/// The passes that draw something in the window.
 std::vector<std::size_t> drawnPasses(const Scene& scene) {
     std::vector<std::size_t> passes;
     for (std::size_t p = 0; p < scene.passes.size(); ++p) {
-        if (drawsAnything(scene, scene.passes[p]))
+        if (scene.passes[p].picture == 0 && drawsAnything(scene, scene.passes[p]))
             passes.push_back(p);
     }
     return passes;
@@ -77,7 +78,8 @@ public:
         : emission_(emission)
         , writer_(emission.writer)
         , start_(start)
-        , passes_(drawnPasses(emission.scene)) {}
+        , passes_(drawnPasses(emission.scene))
+        , pictures_(picturesOf(emission)) {}
 
     void write() {
         writeTextures(emission_);
@@ -88,6 +90,9 @@ public:
         writer_.take(Taking::All);
         writeKeyFrames(emission_);
         writeShadowMaps(emission_);
+        beginFrame();
+        for (const std::size_t object : pictures_)
+            writePicture(object);
         writeDraw();
     }
 
@@ -112,6 +117,9 @@ public:
     }
 
 private:
+    /// Whether the state of a pass is set once.
+    [[nodiscard]] bool isOne() const { return passes_.size() == 1 && pictures_.empty(); }
+
     void writePass(std::size_t pass) {
         writePassState(emission_, pass);
         writeUnits(emission_, pass);
@@ -153,7 +161,7 @@ private:
             writeModelSetup(emission_, m);
         writeLight(emission_);
         writeMaterial(emission_);
-        if (passes_.size() == 1)
+        if (isOne())
             writePass(passes_.front());
         writer_.close();
     }
@@ -180,9 +188,36 @@ private:
         writer_.heading("a frame");
         writer_.open(emission_.moves ? "static void draw(int width, int height, double seconds)"
                                      : "static void draw(int width, int height)");
-        beginFrame();
         writeKeyFramesCall(emission_);
         writeShadowMapCalls(emission_);
+        writePictureCalls(emission_);
+        writePasses(passes_);
+        writer_.close();
+    }
+
+    /// What a picture of passes shows.
+    void writePicture(std::size_t object) {
+        const int secondsUses = beginPicture(emission_, object);
+        if (reference::shownFrames(emission_.scene) > 1 ||
+            !reference::unfinishedReads(emission_.scene).empty()) {
+            forgetFrame();
+            writeKeyFramesCall(emission_);
+        }
+        writePasses(passesOf(emission_, object));
+        endPicture(emission_, object, secondsUses);
+    }
+
+    /// It is drawn several times in a frame, or after other calls: nothing is known when it begins.
+    void forgetFrame() {
+        for (const auto& [key, value] : CodeWriter::State(writer_.state()))
+            writer_.forget(key);
+        emission_.mayShow.fill(true);
+        for (std::optional<StackTop>& stack : emission_.stacks)
+            stack.reset();
+        emission_.activeUnit = -1;
+    }
+
+    void writePasses(const std::vector<std::size_t>& passes) {
         writeProjection(emission_);
         writeMovingLight(emission_);
         writeMovingShadeModel(emission_);
@@ -190,22 +225,22 @@ private:
         writer_.heading("camera");
         writer_.add("glLoadIdentity();");
         writeCamera(emission_);
-        for (const std::size_t pass : passes_) {
-            if (passes_.size() > 1)
-                writePass(pass);
-            else
+        for (const std::size_t pass : passes) {
+            if (isOne())
                 writeMovingPass(pass);
+            else
+                writePass(pass);
             for (const std::size_t model : drawnModels(emission_.scene, emission_.scene.passes[pass]))
                 writeModel(emission_, pass, model);
             endPassMatrices(emission_);
         }
-        writer_.close();
     }
 
     Emission& emission_;
     CodeWriter& writer_;
     const FrameStart& start_;
     std::vector<std::size_t> passes_;
+    std::vector<std::size_t> pictures_; ///< texture objects that show what other passes draw
     CodeWriter::State before_;
     std::array<std::optional<Target>, maxUnits> shownBefore_{};
     int unitBefore_ = 0;
@@ -216,6 +251,8 @@ private:
 Result<std::vector<Line>> fixedProgram(const Scene& scene, const ImageSource& images,
                                        const ProgramOptions& options, TextureCodes& codes, KeyFrames& keys) {
     if (const Result<void> possible = checkShadowMaps(scene, keys); !possible)
+        return fail(possible.error());
+    if (const Result<void> possible = checkPictures(scene, keys); !possible)
         return fail(possible.error());
     FrameStart start;
     bool moves = false;

@@ -4,6 +4,7 @@
 #include "texplorer/diagnosis/diagnosis.h"
 #include "texplorer/emit/glsl_emission.h"
 #include "texplorer/emit/program_frame.h"
+#include "texplorer/reference/drawn_pictures.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/params/keys.h"
 
@@ -86,7 +87,9 @@ Result<std::vector<GlslPass>> passesOf(const Emission& emission) {
             N_("a directional light has other shaders")));
     for (std::size_t i = 0; i < emission.scene.passes.size(); ++i) {
         const Pass& drawn = emission.scene.passes[i];
-        if (!drawsAnything(emission.scene, drawn))
+        const auto isIts = [&](const PictureKey& key) { return key.number == drawn.picture; };
+        if (!drawsAnything(emission.scene, drawn) ||
+            (drawn.picture != 0 && std::ranges::none_of(reference::shownPictures(emission.scene), isIts)))
             continue;
         GlslPass pass{i, joined(emission.passVariable(i), "program"), emission.passVariable(i), {}, {}, {}};
         for (std::size_t u = 0; u < maxUnits; ++u)
@@ -200,11 +203,15 @@ public:
         writeKeyFrames(emission_);
         writePlace();
         writeGlslShadowMaps(glsl_);
+        declareCamera(emission_);
+        for (const std::size_t object : picturesOf(emission_))
+            writePicture(object);
         writeDraw();
     }
 
 private:
-    [[nodiscard]] bool isOne() const { return glsl_.passes.size() == 1; }
+    /// Whether the state of a pass is set once.
+    [[nodiscard]] bool isOne() const { return glsl_.passes.size() == 1 && picturesOf(emission_).empty(); }
 
     void writeInit() {
         writer_.heading("what is set once");
@@ -251,11 +258,34 @@ private:
         writer_.open(emission_.moves ? "static void draw(int width, int height, double seconds)"
                                      : "static void draw(int width, int height)");
         writeKeyFramesCall(emission_);
-        writeMatrices(emission_, !glsl_.passes.empty());
+        writePictureCalls(emission_);
+        writePasses(0);
+        writer_.close();
+    }
+
+    /// What a picture of passes shows.
+    void writePicture(std::size_t object) {
+        const int secondsUses = beginPicture(emission_, object);
+        if (reference::shownFrames(emission_.scene) > 1)
+            writeKeyFramesCall(emission_);
+        glsl_.hasModelMatrix = false;
+        writePasses(emission_.scene.textures[emission_.objects[object].texture].picture);
+        glsl_.hasModelMatrix = false;
+        endPicture(emission_, object, secondsUses);
+    }
+
+    /// Those of the window or of a picture.
+    void writePasses(int picture) {
+        const auto isIn = [&](const GlslPass& pass) {
+            return emission_.scene.passes[pass.index].picture == picture;
+        };
+        writeMatrices(emission_, std::ranges::any_of(glsl_.passes, isIn));
         writeMovingTextures(emission_);
         writeGlslShadowCalls(glsl_);
         for (const GlslPass& pass : glsl_.passes) {
             const Pass& drawn = emission_.scene.passes[pass.index];
+            if (drawn.picture != picture)
+                continue;
             if (!isOne()) {
                 writer_.heading(drawn.name.empty() ? fmt::format("pass {}", pass.index)
                                                    : fmt::format("pass {}: {}", pass.index, drawn.name));
@@ -271,7 +301,6 @@ private:
             for (const std::size_t model : drawnModels(emission_.scene, drawn))
                 writeGlslModel(glsl_, pass, model);
         }
-        writer_.close();
     }
 
     void writeMovingState(const GlslPass& pass) {
@@ -339,6 +368,8 @@ void leaveOut(GlslEmission& glsl) {
 Result<std::vector<Line>> glslProgram(const Scene& scene, const ImageSource& images,
                                       const ProgramOptions& options, TextureCodes& codes, KeyFrames& keys) {
     if (const Result<void> possible = checkShadowMaps(scene, keys); !possible)
+        return fail(possible.error());
+    if (const Result<void> possible = checkPictures(scene, keys); !possible)
         return fail(possible.error());
     bool moves = false;
     for (const bool isTrial : {true, false}) {

@@ -80,9 +80,10 @@ Sentence obstacleTo(Flavour flavour, const ParamRow& row) {
                                      memberId<&Texture::wrapS>,          memberId<&Texture::wrapT>,
                                      memberId<&Texture::wrapR>,          memberId<&Texture::baseLevel>,
                                      memberId<&Texture::maxLevel>,       memberId<&Texture::compareFunc>};
-    const bool isOfUpload =
-        std::ranges::find(uploadTable().params, row.member, &ParamRow::member) != uploadTable().params.end();
-    if (isOneOf(row.member, ofTexels) || isOfUpload)
+    const auto isOf = [&](const StructTable& table) {
+        return std::ranges::find(table.params, row.member, &ParamRow::member) != table.params.end();
+    };
+    if (isOneOf(row.member, ofTexels) || isOf(uploadTable()) || isOf(subimageTable()))
         return N_("texels are made only when the program starts");
     if (isOneOf(row.member, ofShape))
         return N_("shapes are made only when the program starts");

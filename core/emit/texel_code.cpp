@@ -3,6 +3,7 @@
 #include "texplorer/image/convert.h"
 #include "texplorer/image/mipmaps.h"
 #include "texplorer/s3tc/surface_pixels.h"
+#include "texplorer/texture/level_plan.h"
 #include "texplorer/texture/target_image.h"
 
 #include <algorithm>
@@ -252,11 +253,45 @@ private:
 
 } // namespace
 
-Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& pictures, Target target,
+namespace {
+
+/// Those that OpenGL doesn't refuse.
+std::vector<SubimageCode> subimageCodes(const Texture& texture, const TexturePictures& pictures,
+                                        Target target) {
+    std::vector<SubimageCode> codes;
+    Texture unlike = texture; // is not what a function of the program computes
+    unlike.source = SourceKind::File;
+    const LevelPlan plan = planLevels(texture, pictures, target);
+    for (std::size_t i = 0; i < texture.subimages.size(); ++i) {
+        if (plan.levels.empty() || std::ranges::find(plan.refusedSubimages, i, &RefusedSubimage::index) !=
+                                       plan.refusedSubimages.end())
+            continue;
+        TextureLevels one;
+        one.levels.push_back({texture.subimages[i].level, subimageOf(texture, pictures, target, i)});
+        TextureCode code = CodeMaker(unlike, pictures, target, FileReader::None).make(one, {}, false);
+        if (!code.levels.empty())
+            codes.push_back({i, std::move(code.levels.front())});
+    }
+    return codes;
+}
+
+} // namespace
+
+Result<TextureCode> textureCode(const Texture& asked, const TexturePictures& pictures, Target target,
                                 FileReader reader, const LevelWork& work, bool readsMemory) {
-    Result<TextureLevels> levels = prepareLevels(texture, pictures, target, work);
+    Result<TextureLevels> levels = prepareLevels(asked, pictures, target, work);
     if (!levels)
         return fail(levels.error());
+    Texture texture = asked;
+    std::vector<SubimageCode> subimages;
+    // Where levels are made here as the driver makes them of a changed base, they are those of the change.
+    if (!asked.subimages.empty() && (levels->madeByDriver || !isMadeByDriver(asked.mipmaps))) {
+        subimages = subimageCodes(asked, pictures, target);
+        texture.subimages.clear();
+        levels = prepareLevels(texture, pictures, target, work);
+        if (!levels)
+            return fail(levels.error());
+    }
     const reference::SampledTexture shape = reference::shapeOf(*levels, target);
     bool isCalled = levels->madeByDriver;
     if (texture.mipmaps == MipPolicy::Glu && !texture.upload.custom) { // which scales the image itself
@@ -276,6 +311,7 @@ Result<TextureCode> textureCode(const Texture& texture, const TexturePictures& p
     if (work.stop.stop_requested())
         return fail(ErrorCode::Cancelled, "making its levels was cancelled");
     code.shape = shape;
+    code.subimages = std::move(subimages);
     if (isCalled)
         code.mipmaps = texture.mipmaps;
     return code;

@@ -43,6 +43,12 @@ struct LevelCode {
     Bytes bytes{};
 };
 
+/// A part that is replaced after the upload.
+struct SubimageCode {
+    std::size_t index = 0; ///< into Texture::subimages
+    LevelCode texels{};    ///< with the number of the level
+};
+
 /// The files that a program reads in a few lines.
 enum class FileReader : std::uint8_t {
     None,
@@ -53,6 +59,7 @@ enum class FileReader : std::uint8_t {
 
 struct TextureCode {
     std::vector<LevelCode> levels; ///< ascending
+    std::vector<SubimageCode> subimages{};
     int faces = 1;
     int border = 0;
     int lastLevel = 1000; ///< as TextureLevels has it

@@ -37,6 +37,8 @@ constexpr std::array exampleRows{
     Example{
         "packed-pixels.json", N_("Packed pixels"),
         N_("One image in four layouts of memory: 5 6 5, 4 4 4 4 and 3 3 2 bits, and bytes with blue first.")},
+    Example{"texsub.json", N_("Replaced texels"),
+            N_("glTexSubImage2D puts 16 × 16 red texels into the checkerboard after its upload.")},
     Example{"levels.json", N_("An image for each level"),
             N_("Mip levels from separate images, which shows where each level is sampled.")},
     Example{"environment.json", N_("Environment map"), N_("GL_SPHERE_MAP: the surface reflects an image.")},
@@ -47,6 +49,14 @@ constexpr std::array exampleRows{
             N_("An image projected over the whole scene: coordinates in eye space, and a projector.")},
     Example{"shadow-map.json", N_("Shadow map"),
             N_("A depth texture of the light's view, compared with the distance of each point.")},
+    Example{
+        "mirror.json", N_("Mirror"),
+        N_("A pass draws the mirrored pyramid in a picture, and the mirror shows it at the same pixels.")},
+    Example{
+        "radial-blur.json", N_("Radial blur"),
+        N_("A small picture of the ring, copied and drawn over it 25 times, each time larger and fainter.")},
+    Example{"feedback.json", N_("Picture in a picture"),
+            N_("The cube shows the picture of the frame before, which shows the cube.")},
     Example{"nehe-bumps-1-unit.json", N_("Embossed bumps, one unit"),
             N_("A height map minus its copy, moved towards the light, in three passes. Step through them.")},
     Example{"nehe-bumps-2-units.json", N_("Embossed bumps, two units"),

@@ -20,7 +20,7 @@ void showFloor(const PresetTarget& target) {
 /// With a checkerboard or a picture from a file, trilinear: the levels are visible.
 void showTrilinearFloor(const PresetTarget& target) {
     showFloor(target);
-    showPatternUnless(target.texture, Pattern::Checker, target.texture.source != SourceKind::LightDepth);
+    showPatternUnless(target.texture, Pattern::Checker, !isDrawn(target.texture.source));
     filterTrilinear(target.texture);
 }
 

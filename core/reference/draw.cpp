@@ -10,9 +10,11 @@
 #include "texplorer/reference/raster/scene_triangles.h"
 #include "texplorer/reference/shading/pass_state.h"
 #include "texplorer/scene/params/scene_at.h"
+#include "texplorer/reference/drawn_pictures.h"
 
 #include <fmt/core.h>
 
+#include <functional>
 #include <new>
 #include <utility>
 
@@ -33,29 +35,59 @@ tl::unexpected<Error> stopped() {
 struct ReferenceRenderer::State {
     TextureStore textures;
     LightDepths lightDepths;
-    DrawRequest seen;                ///< the scene at that time, with the light's view
-    std::vector<Triangle> triangles; ///< empty between drawings; its memory is for the next one's
+    DrawnPictures pictures;
+    std::vector<Sentence> pictureProblems; ///< about what could not be drawn in them
+    DrawRequest seen;                      ///< what `standing` returned
+    std::vector<Triangle> triangles;       ///< empty between drawings; its memory is for the next one's
 
-    /// The request with the scene evaluated at its time, and with the light's view if a texture uses it; the
-    /// same request if both change nothing.
-    const DrawRequest& standing(const DrawRequest& request, const DrawOptions& options) {
+    /// The request with the scene evaluated at its time, without passes that draw in pictures, and with the
+    /// images that are drawn for its textures: the light's view and pictures; the same request if all of this
+    /// changes nothing.
+    Result<std::reference_wrapper<const DrawRequest>> standing(const DrawRequest& request,
+                                                               const DrawOptions& options) {
         const StandingScene scene(request.scene, request.time);
-        const bool lit = showsLightDepths(*scene);
-        if (!lit && &*scene == &request.scene)
+        textures.keepOnly(*scene);
+        const bool pictured = hasPictures(*scene) || !shownPictures(*scene).empty();
+        if (!pictured)
+            pictureProblems.clear();
+        if (!pictured && !showsLightDepths(*scene) && &*scene == &request.scene)
             return request;
-        seen = {*scene,        request.images,     request.time,
-                request.width, request.height,     request.anisotropy,
-                request.rho,   request.cornerBits, request.zeroSwitchOver};
-        if (lit)
-            seen.images = lightDepths.addedTo(request.images, seen.scene, request.time, options.stop);
+        ImageSource images = lightDepths.addedTo(request.images, *scene, request.time, options.stop);
+        if (pictured) {
+            std::vector<Sentence> before = std::exchange(pictureProblems, {});
+            bool isNew = false;
+            const auto drawPicture = [&](const Scene& picture, const ImageSource& known, double time,
+                                         int size) -> Result<Image> {
+                DrawRequest square = with(request, picture, known, time);
+                square.width = square.height = size;
+                Result<Frame> drawn = draw(square, options);
+                if (!drawn)
+                    return fail(drawn.error());
+                pictureProblems = std::move(drawn->problems); // and those of the pictures before it
+                isNew = true;
+                return std::move(drawn->image);
+            };
+            Result<ImageSource> added = pictures.addedTo(images, request.scene, request.time, drawPicture);
+            if (!added)
+                return fail(added.error());
+            images = std::move(*added);
+            if (!isNew)
+                pictureProblems = std::move(before);
+        }
+        seen = with(request, pictured ? picturedScene(*scene, 0) : *scene, std::move(images), request.time);
         return seen;
+    }
+
+    static DrawRequest with(const DrawRequest& request, Scene scene, ImageSource images, double time) {
+        return {std::move(scene), std::move(images),  time,
+                request.width,    request.height,     request.anisotropy,
+                request.rho,      request.cornerBits, request.zeroSwitchOver};
     }
 
     Result<Frame> draw(const DrawRequest& request, const DrawOptions& options) {
         const Scene& scene = request.scene;
         const Viewport viewport{request.width, request.height, request.cornerBits};
-        std::vector<Sentence> problems;
-        textures.keepOnly(scene);
+        std::vector<Sentence> problems = pictureProblems;
         const std::vector<PassState> passes = passStates(scene, request.images, request.time, options.levels,
                                                          request.sampling(), textures, problems);
         if (options.isStopped())
@@ -115,7 +147,17 @@ Result<Frame> ReferenceRenderer::draw(const DrawRequest& request, const DrawOpti
     if (const Result<void> size = checkSize(request); !size)
         return fail(size.error());
     try {
-        return state_->draw(state_->standing(request, options), options);
+        const auto standing = state_->standing(request, options);
+        return standing ? state_->draw(*standing, options) : fail(standing.error());
+    } catch (const std::bad_alloc&) {
+        return noMemory(request);
+    }
+}
+
+Result<ImageSource> ReferenceRenderer::drawnImages(const DrawRequest& request, const DrawOptions& options) {
+    try {
+        const auto standing = state_->standing(request, options);
+        return standing ? Result<ImageSource>(standing->get().images) : fail(standing.error());
     } catch (const std::bad_alloc&) {
         return noMemory(request);
     }
@@ -130,8 +172,10 @@ Result<Explanation> ReferenceRenderer::probe(const DrawRequest& request, PixelPl
                     Sentence("a picture of {0} has no pixel {1}, {2}", extents(request.width, request.height),
                              pixel.x, pixel.y));
     try {
-        const DrawRequest& standing = state_->standing(request, options);
-        state_->textures.keepOnly(standing.scene);
+        const auto found = state_->standing(request, options);
+        if (!found)
+            return fail(found.error());
+        const DrawRequest& standing = *found;
         return explainPixel(standing, pixel, options, state_->textures);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "not enough memory for the scene's textures");
@@ -144,8 +188,10 @@ Result<Contributions> ReferenceRenderer::contributions(const DrawRequest& reques
     if (const Result<void> size = checkSize(request); !size)
         return fail(size.error());
     try {
-        const DrawRequest& standing = state_->standing(request, options);
-        state_->textures.keepOnly(standing.scene);
+        const auto found = state_->standing(request, options);
+        if (!found)
+            return fail(found.error());
+        const DrawRequest& standing = *found;
         return findContributions(standing, question, options, state_->textures);
     } catch (const std::bad_alloc&) {
         return noMemory(request);
@@ -157,8 +203,10 @@ Result<LevelMap> ReferenceRenderer::levels(const DrawRequest& request, const Lev
     if (const Result<void> size = checkSize(request); !size)
         return fail(size.error());
     try {
-        const DrawRequest& standing = state_->standing(request, options);
-        state_->textures.keepOnly(standing.scene);
+        const auto found = state_->standing(request, options);
+        if (!found)
+            return fail(found.error());
+        const DrawRequest& standing = *found;
         return findLevels(standing, question, options, state_->textures);
     } catch (const std::bad_alloc&) {
         return noMemory(request);

@@ -52,6 +52,11 @@ public:
     /// maxPictureExtent, TooLarge without memory, Cancelled after a stop request.
     [[nodiscard]] Result<Frame> draw(const DrawRequest& request, const DrawOptions& options = {});
 
+    /// Returns the request's images with those that are drawn for textures that units show: the light's view
+    /// and pictures of passes. Errors: as `draw`.
+    [[nodiscard]] Result<ImageSource> drawnImages(const DrawRequest& request,
+                                                  const DrawOptions& options = {});
+
     /// Explains the colour of one pixel of that picture, without drawing the others: see probe.h.
     [[nodiscard]] Result<Explanation> probe(const DrawRequest& request, PixelPlace pixel,
                                             const DrawOptions& options = {});

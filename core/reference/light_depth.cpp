@@ -145,7 +145,7 @@ ImageSource LightDepths::addedTo(const ImageSource& images, const Scene& scene, 
             Image depths = drawLightDepths(scene, time, size, stop);
             if (stop.stop_requested())
                 return all;
-            pictures_[size] = depthImage(std::move(depths));
+            pictures_[size] = drawnImage(std::move(depths));
         }
         all.putLightDepth(size, pictures_.at(size));
     }

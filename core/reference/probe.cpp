@@ -293,6 +293,8 @@ void Prober::explainUnits(FragmentExplanation& fragment, const Cover& cover, con
         unit.format = state.texture->format;
         unit.internalFormat = state.texture->internalFormat;
         const Texture& texture = scene_.textures[static_cast<std::size_t>(unit.texture)];
+        if (texture.source == SourceKind::Picture)
+            unit.picture = texture.picture;
         // What the light sees stays as it is: see texture_levels.h.
         if (texture.source != SourceKind::LightDepth || !isDepth(texture.internalFormat))
             std::ranges::transform(texture.preparation, std::back_inserter(unit.preparation), &ImageStep::op);

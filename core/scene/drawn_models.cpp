@@ -26,10 +26,22 @@ std::string nameOf(const Model& model) {
     return model.name.empty() ? std::string(rowOf(model.shape).label) : model.name;
 }
 
+namespace {
+
+bool draws(const Scene& scene, const Pass& pass, std::size_t model) {
+    const std::vector<std::size_t> drawn = drawnModels(scene, pass);
+    return std::ranges::find(drawn, model) != drawn.end();
+}
+
+} // namespace
+
 bool isDrawn(const Scene& scene, std::size_t model) {
+    return std::ranges::any_of(scene.passes, [&](const Pass& pass) { return draws(scene, pass, model); });
+}
+
+bool isInWindow(const Scene& scene, std::size_t model) {
     return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
-        const std::vector<std::size_t> drawn = drawnModels(scene, pass);
-        return std::ranges::find(drawn, model) != drawn.end();
+        return pass.picture == 0 && draws(scene, pass, model);
     });
 }
 

@@ -16,6 +16,9 @@ namespace texplorer {
 /// Whether any pass draws a model.
 [[nodiscard]] bool isDrawn(const Scene& scene, std::size_t model);
 
+/// Whether any pass draws a model in the window.
+[[nodiscard]] bool isInWindow(const Scene& scene, std::size_t model);
+
 /// Whether a pass draws anything.
 [[nodiscard]] bool drawsAnything(const Scene& scene, const Pass& pass);
 

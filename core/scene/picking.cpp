@@ -135,7 +135,7 @@ std::optional<PickedVertex> pickVertex(const Scene& scene, double time, float as
     std::vector<Placed> models;
     const glm::mat4 fromEye = glm::inverse(viewMatrix(scene.view));
     for (std::size_t i = 0; i < scene.models.size(); ++i) {
-        if (!isDrawn(scene, i))
+        if (!isInWindow(scene, i))
             continue;
         const Model& model = scene.models[i];
         const glm::mat4 placed = modelMatrix(model, time);

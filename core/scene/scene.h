@@ -39,14 +39,23 @@ inline constexpr std::size_t maxPasses = 8;
 inline constexpr std::size_t maxMatrixSteps = 32;
 inline constexpr std::size_t maxGivenLevels = 15; ///< in addition to the base level
 inline constexpr std::size_t maxImageSteps = 16;
+inline constexpr std::size_t maxSubimages = 16;
+inline constexpr int maxPictures = 8;
+inline constexpr int maxFrames = 64;
 
 enum class Projection : std::uint32_t { Perspective, Orthographic };
-enum class SourceKind : std::uint32_t { Pattern, File, LightDepth };
+enum class SourceKind : std::uint32_t { Pattern, File, LightDepth, Picture };
+enum class PictureCall : std::uint32_t { Framebuffer, CopyTexImage, CopyTexSubImage };
 enum class MatrixOp : std::uint32_t { Translate, Rotate, Scale, Multiply, Load, Projector };
 enum class MatrixStart : std::uint32_t { Identity, Push, Keep };
 enum class RotationOrder : std::uint32_t { Zyx, Zxy, Yzx, Yxz, Xzy, Xyz };
 enum class Attachment : std::uint32_t { World, Eye };
 enum class LightCarrier : std::uint32_t { Inverse, Transpose };
+
+/// Whether an image is drawn in every frame.
+[[nodiscard]] constexpr bool isDrawn(SourceKind source) {
+    return source == SourceKind::LightDepth || source == SourceKind::Picture;
+}
 
 /// The camera orbits around `target`.
 struct View {
@@ -162,7 +171,7 @@ struct Model {
 
 /// The image of one mip level.
 struct GivenLevel {
-    SourceKind source = SourceKind::Pattern; ///< not LightDepth
+    SourceKind source = SourceKind::Pattern; ///< Pattern or File
     Pattern pattern = Pattern::Checker;      ///< scaled to the level's size
     std::string file{};                      ///< not scaled
 
@@ -182,7 +191,7 @@ struct ImageStep {
     float share = 0.5F;                      ///< for Resize: of each extent, rounded down, at least one texel
     int width = 0;                           ///< for Resize, of the base level; 0: by the share
     int height = 0;                          ///< likewise
-    SourceKind source = SourceKind::Pattern; ///< of another image, like the next two; not LightDepth
+    SourceKind source = SourceKind::Pattern; ///< of another image, like the next two; Pattern or File
     Pattern pattern = Pattern::Checker;
     std::string file{};
 
@@ -196,12 +205,31 @@ struct ImageStep {
             (isOfOther(step.red) || isOfOther(step.green) || isOfOther(step.blue) || isOfOther(step.alpha)));
 }
 
+/// A part of a level that is replaced after the upload: glTexSubImage (OpenGL 2.1, section 3.8.2).
+struct Subimage {
+    int level = 0;
+    int x = 0; ///< where the part begins, in texels; (0, 0, 0) is the level's first texel
+    int y = 0;
+    int z = 0;                               ///< for 3D textures
+    int width = 8;                           ///< of a pattern, which is scaled to it
+    int height = 8;                          ///< likewise
+    SourceKind source = SourceKind::Pattern; ///< Pattern or File
+    Pattern pattern = Pattern::Checker;
+    std::string file{}; ///< not scaled
+
+    bool operator==(const Subimage&) const = default;
+};
+
 /// A texture object: its images and glTexParameter state.
 struct Texture : SamplerState {
     SourceKind source = SourceKind::Pattern;
     Pattern pattern = Pattern::Checker;
     std::string file{};  ///< path of an image, relative to the scene file
     int depthSize = 256; ///< texels per side, for LightDepth
+    int picture = 1;     ///< for Picture, like the next three: the number of passes' picture (Pass::picture)
+    int pictureSize = 256; ///< texels per side
+    int frames = 1;        ///< that are drawn one after the other: see texplorer/reference/drawn_pictures.h
+    PictureCall pictureCall = PictureCall::Framebuffer; ///< the call that programs fill it with
     FlipMode flip = FlipMode::Blocks;
     Transparency transparency = Transparency::File;
     glm::vec4 stencilColor{0, 0, 0, 1};                   ///< for Transparency::Stencil; its alpha is ignored
@@ -218,6 +246,7 @@ struct Texture : SamplerState {
     float priority = 1;
     std::vector<GivenLevel> levels{};     ///< 1, 2, 3, …: for MipPolicy::Given
     std::vector<ImageStep> preparation{}; ///< in this order, before everything else except decoding
+    std::vector<Subimage> subimages{};    ///< in this order, after the upload
     Upload upload{};
 
     bool operator==(const Texture&) const = default;
@@ -280,6 +309,7 @@ struct Fog {
 struct Pass {
     bool enabled = true; ///< off: draws nothing and has no effect
     std::string name{};
+    int picture = 0; ///< 0: it draws in the window; else in the picture of that number, for textures
     std::vector<int> models{}; ///< indices of the models that it draws, in this order; empty: all
     bool lighting = false;
     bool depthTest = false;
@@ -320,6 +350,18 @@ inline constexpr std::array sourceKindRows{
     row(SourceKind::File, "file", "Image file", "An image from a file."),
     row(SourceKind::LightDepth, "light-depth", "Shadow map",
         "The distance from the light to each point that it sees, drawn in every frame."),
+    row(SourceKind::Picture, "picture", "Picture of passes",
+        "What the passes that do not draw in the window draw (Draws in, in the tab Pass), in every frame."),
+};
+
+inline constexpr std::array pictureCallRows{
+    row(PictureCall::Framebuffer, "glFramebufferTexture2D", "Framebuffer object",
+        "The passes draw into the texture itself, which is attached to a framebuffer object.",
+        "GL_EXT_framebuffer_object"),
+    row(PictureCall::CopyTexImage, "glCopyTexImage2D", "Copy, new image",
+        "The passes draw in a corner of the window, and the pixels are copied into a new image."),
+    row(PictureCall::CopyTexSubImage, "glCopyTexSubImage2D", "Copy, same image",
+        "The same, but the pixels are copied into the image that the texture has."),
 };
 
 inline constexpr std::array matrixOpRows{
@@ -378,6 +420,10 @@ struct EnumTable<SourceKind> {
 /// The sources of a level's image and of a step's other one: a pattern or a file.
 inline constexpr std::span<const EnumRow> pictureSourceRows = std::span(sourceKindRows).first(2);
 template<>
+struct EnumTable<PictureCall> {
+    static constexpr std::span<const EnumRow> rows = pictureCallRows;
+};
+template<>
 struct EnumTable<MatrixOp> {
     static constexpr std::span<const EnumRow> rows = matrixOpRows;
 };
@@ -398,9 +444,9 @@ struct EnumTable<LightCarrier> {
     static constexpr std::span<const EnumRow> rows = lightCarrierRows;
 };
 
-static_assert(projectionRows.size() == 2 && sourceKindRows.size() == 3 && matrixOpRows.size() == 6 &&
-              matrixStartRows.size() == 3 && rotationOrderRows.size() == 6 && attachmentRows.size() == 2 &&
-              lightCarrierRows.size() == 2);
+static_assert(projectionRows.size() == 2 && sourceKindRows.size() == 4 && pictureCallRows.size() == 3 &&
+              matrixOpRows.size() == 6 && matrixStartRows.size() == 3 && rotationOrderRows.size() == 6 &&
+              attachmentRows.size() == 2 && lightCarrierRows.size() == 2);
 
 /// The scene at the start of Texplorer: a cube and a sphere next to each other, lit, with the checkerboard,
 /// trilinear.

@@ -36,8 +36,10 @@ PlacedSteps leftSteps(const Scene& scene, std::size_t pass, std::size_t unit) {
     PlacedSteps stack;
     for (std::size_t p = 0; p < pass; ++p) {
         const Unit& state = scene.passes[p].units[unit];
-        if (!scene.passes[p].enabled || !state.enabled || state.matrixStart == MatrixStart::Push)
-            continue; // what was pushed is popped
+        const bool isOfPicture = scene.passes[p].picture == scene.passes[pass].picture;
+        if (!scene.passes[p].enabled || !isOfPicture || !state.enabled ||
+            state.matrixStart == MatrixStart::Push)
+            continue; // what was pushed is popped; each picture begins with the identity
         if (state.matrixStart == MatrixStart::Identity)
             stack.clear();
         pushSteps(scene, p, unit, std::nullopt, stack);

@@ -29,7 +29,7 @@ using PlacedSteps = std::vector<PlacedStep>;
 [[nodiscard]] PlacedSteps textureSteps(const Scene& scene, std::size_t pass, std::size_t unit,
                                        std::size_t model);
 
-/// Those that earlier passes left on the stack of a unit.
+/// Those that earlier passes of the same picture left on the stack of a unit.
 [[nodiscard]] PlacedSteps leftSteps(const Scene& scene, std::size_t pass, std::size_t unit);
 
 /// The same, if the pass goes on from there: none for MatrixStart::Identity.

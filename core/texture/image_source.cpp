@@ -64,6 +64,9 @@ void forEachPicture(AScene& scene, Visit visit) {
         for (std::size_t step = 0; step < texture.preparation.size(); ++step)
             visit(texture.preparation[step].source, texture.preparation[step].file,
                   readsOther(texture.preparation[step]), fmt::format("{}preparation[{}].file", path, step));
+        for (std::size_t subimage = 0; subimage < texture.subimages.size(); ++subimage)
+            visit(texture.subimages[subimage].source, texture.subimages[subimage].file, true,
+                  fmt::format("{}subimages[{}].file", path, subimage));
     }
 }
 
@@ -81,25 +84,34 @@ bool changesItsPictures(const Scene& scene, const std::string& filePath) {
     const std::string texture = filePath.substr(0, filePath.find('.') + 1);
     return std::ranges::any_of(scene.timeline.keys, [&](const KeyFrame& key) {
         const std::string_view path = key.path;
-        return path.starts_with(texture) && (path.ends_with(".source") || path.ends_with(".mipmaps") ||
-                                             path.starts_with(texture + "preparation["));
+        return path.starts_with(texture) &&
+               (path.ends_with(".source") || path.ends_with(".mipmaps") ||
+                path.starts_with(texture + "preparation[") || path.starts_with(texture + "subimages["));
     });
 }
 
-/// One image for each size, as long as anybody has it.
-SharedImage farthestDepths(int size) {
+/// One image for each size, as long as it is used: all bytes have the value.
+SharedImage uniform(PixelFormat format, int size, std::byte value) {
     static std::mutex mutex;
-    static std::map<int, std::weak_ptr<const TextureImage>> images;
+    static std::map<std::pair<PixelFormat, int>, std::weak_ptr<const TextureImage>> images;
     const int extent = std::max(size, 1);
     const std::lock_guard lock(mutex);
-    std::weak_ptr<const TextureImage>& known = images[extent];
+    std::weak_ptr<const TextureImage>& known = images[{format, extent}];
     if (SharedImage image = known.lock())
         return image;
-    Image depths = Image::uninitialised(PixelFormat::Depth32, extent, extent);
-    std::ranges::fill(depths.pixels, std::byte{255});
-    SharedImage image = depthImage(std::move(depths));
+    Image pixels = Image::uninitialised(format, extent, extent);
+    std::ranges::fill(pixels.pixels, value);
+    SharedImage image = drawnImage(std::move(pixels));
     known = image;
     return image;
+}
+
+SharedImage farthestDepths(int size) {
+    return uniform(PixelFormat::Depth32, size, std::byte{255});
+}
+
+SharedImage blackPicture(int size) {
+    return uniform(PixelFormat::Rgba8, size, std::byte{0});
 }
 
 } // namespace
@@ -193,14 +205,18 @@ SharedImage ImageSource::find(SourceKind source, Pattern pattern, const std::str
     return source == SourceKind::Pattern ? sharedPattern(pattern) : contentOf(file);
 }
 
-SharedImage depthImage(Image depths) {
-    return std::make_shared<const TextureImage>(madeHere(std::move(depths)));
+SharedImage drawnImage(Image image) {
+    return std::make_shared<const TextureImage>(madeHere(std::move(image)));
 }
 
 SharedImage ImageSource::find(const Texture& texture) const {
     if (texture.source == SourceKind::LightDepth) {
         const auto seen = lightDepths_.find(texture.depthSize);
         return seen == lightDepths_.end() ? farthestDepths(texture.depthSize) : seen->second;
+    }
+    if (texture.source == SourceKind::Picture) {
+        const auto drawn = pictures_.find(pictureOf(texture));
+        return drawn == pictures_.end() ? blackPicture(texture.pictureSize) : drawn->second;
     }
     return find(texture.source, texture.pattern, texture.file);
 }
@@ -213,6 +229,8 @@ TexturePictures ImageSource::picturesOf(const Texture& texture) const {
     }
     for (const ImageStep& step : texture.preparation)
         pictures.others.push_back(readsOther(step) ? find(step.source, step.pattern, step.file) : nullptr);
+    for (const Subimage& subimage : texture.subimages)
+        pictures.subimages.push_back(find(subimage.source, subimage.pattern, subimage.file));
     return pictures;
 }
 

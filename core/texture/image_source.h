@@ -7,6 +7,7 @@
 #include "texplorer/texture/image_budget.h"
 #include "texplorer/texture/texture_pictures.h"
 
+#include <compare>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -17,6 +18,17 @@
 #include <vector>
 
 namespace texplorer {
+
+/// Which picture of passes a texture shows.
+struct PictureKey {
+    int number = 1; ///< Pass::picture
+    int size = 0;   ///< texels per side
+
+    auto operator<=>(const PictureKey&) const = default;
+};
+[[nodiscard]] inline PictureKey pictureOf(const Texture& texture) {
+    return {texture.picture, texture.pictureSize};
+}
 
 /// The images of a scene's textures: the whole content of files, with levels and compressed blocks. Renderers
 /// call `find`, which never reads files; the program calls `load` before. Copies are cheap: images are shared
@@ -69,9 +81,19 @@ public:
     }
     [[nodiscard]] bool holdsLightDepth(int size) const { return lightDepths_.contains(size); }
 
+    /// Sets what passes draw, for textures with SourceKind::Picture; likewise (drawn_pictures.h).
+    void putPicture(const PictureKey& key, std::shared_ptr<const TextureImage> image) {
+        pictures_[key] = std::move(image);
+    }
+    [[nodiscard]] bool holdsPicture(const PictureKey& key) const { return pictures_.contains(key); }
+    /// All of them.
+    [[nodiscard]] const std::map<PictureKey, std::shared_ptr<const TextureImage>>& pictures() const {
+        return pictures_;
+    }
+
     /// Returns the content of a texture's image, or nullptr if its file is not loaded. The pointer stays the
     /// same while the content does, so it can be the key of a cache. Without a light's view, all depths are
-    /// farthest.
+    /// farthest; a picture that isn't drawn is black, with alpha 0.
     [[nodiscard]] std::shared_ptr<const TextureImage> find(const Texture& texture) const;
 
     /// The same, with the images of its levels, if it uses them (MipPolicy::Given), and of its preparation.
@@ -114,10 +136,12 @@ private:
     std::map<std::string, std::shared_ptr<const TextureImage>> files_;
     std::map<std::string, std::shared_ptr<const Bytes>> inMemory_;
     std::map<int, std::shared_ptr<const TextureImage>> lightDepths_; ///< by size
+    std::map<PictureKey, std::shared_ptr<const TextureImage>> pictures_;
 };
 
-/// Makes an image from depths, PixelFormat::Depth32, for an image source.
-[[nodiscard]] std::shared_ptr<const TextureImage> depthImage(Image depths);
+/// Makes an image of what was drawn, bottom row first, for an image source: of depths, PixelFormat::Depth32,
+/// or of colours.
+[[nodiscard]] std::shared_ptr<const TextureImage> drawnImage(Image image);
 
 /// A parameter that refers to an image file.
 struct FileName {

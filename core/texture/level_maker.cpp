@@ -37,7 +37,7 @@ bool areDepths(const TextureImage& image) {
 
 Texture settingsFor(const Texture& texture, const TextureImage& image) {
     Texture settings = withGeneratedLevels(texture);
-    if (texture.source == SourceKind::LightDepth) // the driver copies it
+    if (isDrawn(texture.source)) // the driver copies it
         settings.upload = {};
     if (!areDepths(image) || !isDepth(texture.internalFormat))
         return settings;
@@ -125,7 +125,8 @@ bool LevelMaker::isTakenAsItIs(const LevelPicture& picture, const Surface& surfa
                        (target_ != Target::Texture1D || image->height == 1) &&
                        (image->format != PixelFormat::Depth32 || isDepth(texture_.internalFormat));
     return lends_ && whole && picture.image == &image_ && !picture.fitted && !turns(picture) &&
-           !cutsFaces(image_) && !hasBorder() && !prepares() && texture_.transparency == Transparency::File &&
+           !cutsFaces(image_) && !hasBorder() && !prepares() && texture_.subimages.empty() &&
+           texture_.transparency == Transparency::File &&
            (texture_.npot != NpotPolicy::PowerOfTwo || texture_.mipmaps == MipPolicy::FromFile ||
             arePowersOfTwo(image->width, image->height, image->depth));
 }
@@ -153,6 +154,11 @@ void LevelMaker::takePicture(const LevelPicture& picture, int face) {
     out_.levels.push_back({picture.number, std::move(image), face});
 }
 
+MipChain LevelMaker::chainOf(MipPolicy policy, Image base, const MipOptions& options) const {
+    return hasBorder() ? applyMipPolicyWithBorder(policy, std::move(base), axesOf(target_), options)
+                       : applyMipPolicy(policy, std::move(base), options);
+}
+
 /// The base, and what the policy makes of it.
 Result<void> LevelMaker::takeMade(int face) {
     const MipOptions options{texture_.mipFilter, texture_.mipGamma, texture_.npot, texture_.mipCoverage};
@@ -163,11 +169,14 @@ Result<void> LevelMaker::takeMade(int face) {
     if (const Surface& from = surface(image_, face, 0); isTakenAsItIs(basePicture(), from)) {
         out_.levels.push_back({number++, lend(from), face});
         chain = mipLevelsAbove(texture_.mipmaps, std::get<Image>(from), options);
-    } else if (hasBorder())
-        chain =
-            applyMipPolicyWithBorder(texture_.mipmaps, pixels(basePicture(), face), axesOf(target_), options);
-    else
-        chain = applyMipPolicy(texture_.mipmaps, pixels(basePicture(), face), options);
+    } else {
+        Image made = pixels(basePicture(), face);
+        if (readsFirst_ == ReadsFirst::ForDriver && hasSubimage(0, face)) {
+            made = std::move(chainOf(MipPolicy::None, std::move(made), options).front());
+            replaceIn(made, 0, face);
+        }
+        chain = chainOf(texture_.mipmaps, std::move(made), options);
+    }
     for (Image& level : chain)
         out_.levels.push_back({number++, std::move(level), face});
     return {};
@@ -209,7 +218,12 @@ Result<void> LevelMaker::takePixels() {
                 takePicture(picture, face);
         }
     }
-    return readsMemory() && readsFirst_ == ReadsFirst::No ? readLevels() : Result<void>();
+    if (readsMemory() && readsFirst_ == ReadsFirst::No) {
+        if (Result<void> read = readLevels(); !read)
+            return read;
+    }
+    replaceInLevels();
+    return {};
 }
 
 /// Each given level may name a picture as large as a file may be, and many textures may name the same one. A
@@ -303,9 +317,11 @@ Result<TextureLevels> LevelMaker::run() {
     if (texture_.mipmaps == MipPolicy::FromFile)
         out_.lastLevel = levelCount() - 1;
 
-    if (keepsBlocks()) {
+    takesBlocks_ = keepsBlocks();
+    if (takesBlocks_) {
         if (const Result<void> taken = takeBlocks(); !taken)
             return fail(taken.error());
+        replaceInLevels();
     } else {
         if (const Result<void> taken = takePixels(); !taken)
             return fail(taken.error());

@@ -1,8 +1,8 @@
 #pragma once
 
 // Makes the levels of a texture: the implementation of texture_levels.h and level_plan.h. Its functions are
-// in level_maker.cpp (levels from pictures), level_upload.cpp (custom calls), level_blocks.cpp (compressed
-// levels) and level_plan.cpp (extents only).
+// in level_maker.cpp (levels from pictures), level_upload.cpp (custom calls), level_subimages.cpp (replaced
+// parts), level_blocks.cpp (compressed levels) and level_plan.cpp (extents only).
 
 #include "texplorer/base/result.h"
 #include "texplorer/gl/sampling.h"
@@ -52,6 +52,7 @@ public:
     Result<TextureLevels> run();
     [[nodiscard]] LevelPlan plan();
     void eachStep(const std::function<void(const Image&)>& visit) const;
+    [[nodiscard]] Image subimageOf(std::size_t index) const;
 
 private:
     /// Whether rows are taken in the order of a simple loader: the file's first row first.
@@ -118,6 +119,7 @@ private:
         }
     };
 
+    [[nodiscard]] LevelPlan planWithoutSubimages();
     [[nodiscard]] int levelCount() const;
     [[nodiscard]] std::vector<LevelPicture> levelPictures() const;
     [[nodiscard]] PlannedLevel fullExtentsOf(const LevelPicture& picture) const;
@@ -147,6 +149,16 @@ private:
     [[nodiscard]] Result<void> readLevels();
     [[nodiscard]] Result<void> checkRoom() const;
     void noteMissing();
+    [[nodiscard]] Sentence subimageRefusal(std::size_t index) const;
+    [[nodiscard]] Sentence subimageRefusal(std::size_t index, const PlannedLevel& level) const;
+    [[nodiscard]] std::vector<RefusedSubimage>
+    refusedSubimages(const std::vector<PlannedLevel>& levels) const;
+    [[nodiscard]] PlannedLevel withoutRim(PlannedLevel level) const;
+    void replacePart(Image& level, const Image& part, const Subimage& subimage) const;
+    [[nodiscard]] bool hasSubimage(int level, int face) const;
+    void replaceIn(Image& image, int level, int face) const;
+    void replaceInLevels();
+    [[nodiscard]] MipChain chainOf(MipPolicy policy, Image base, const MipOptions& options) const;
     [[nodiscard]] Result<void> compress();
     [[nodiscard]] Result<void> compressHere();
     [[nodiscard]] Result<void> compressHere(std::span<TextureLevel> levels);
@@ -161,6 +173,7 @@ private:
     Target target_;
     const LevelWork& work_;
     ReadsFirst readsFirst_;
+    bool takesBlocks_ = false; ///< the levels are the file's blocks
     TextureLevels out_;
 };
 

@@ -66,7 +66,7 @@ PlannedUpload LevelMaker::plannedUpload() const {
     return upload;
 }
 
-LevelPlan LevelMaker::plan() {
+LevelPlan LevelMaker::planWithoutSubimages() {
     LevelPlan plan;
     if (isDepth(texture_.internalFormat) && !takesDepths(target_))
         return plan;
@@ -74,7 +74,8 @@ LevelPlan LevelMaker::plan() {
         plan.lastLevel = levelCount() - 1;
     for (const LevelPicture& picture : levelPictures())
         plan.levels.push_back(extentsOfPicture(picture));
-    if (keepsBlocks()) {
+    takesBlocks_ = keepsBlocks();
+    if (takesBlocks_) {
         plan.blocks = std::get<BlockImage>(base()).format;
         return plan;
     }
@@ -111,6 +112,13 @@ LevelPlan LevelMaker::plan() {
         plan.levels.push_back(levelAbove(level, number));
     if (const int missing = missingLevel(count); texture_.mipmaps == MipPolicy::Missing && missing >= 0)
         plan.levels.erase(plan.levels.begin() + missing);
+    return plan;
+}
+
+LevelPlan LevelMaker::plan() {
+    LevelPlan plan = planWithoutSubimages();
+    if (!plan.levels.empty())
+        plan.refusedSubimages = refusedSubimages(plan.levels);
     return plan;
 }
 

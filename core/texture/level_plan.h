@@ -26,13 +26,21 @@ struct PlannedUpload {
     Sentence refusal{};   ///< why OpenGL refuses the call; empty: it doesn't
 };
 
+/// A subimage that is not made.
+struct RefusedSubimage {
+    std::size_t index; ///< into Texture::subimages
+    Sentence why;
+};
+
 struct LevelPlan {
     std::vector<PlannedLevel> levels;  ///< ascending; the same for every face
     int lastLevel = 1000;              ///< as in TextureLevels
     int border = 0;                    ///< as in TextureLevels
     std::optional<BlockFormat> blocks; ///< kept from the file, or the format that the driver compresses to
     std::optional<PlannedUpload> upload{}; ///< of pixels; if it is refused, there are no levels
-    /// Why OpenGL refuses the internal format or the border; empty: it doesn't. Otherwise there are no levels.
+    std::vector<RefusedSubimage> refusedSubimages{};
+    /// Why OpenGL refuses the internal format or the border; empty: it doesn't. Otherwise there are no
+    /// levels.
     Sentence refusal{};
 };
 

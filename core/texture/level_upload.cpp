@@ -88,22 +88,16 @@ Result<void> LevelMaker::takeMadeOfRead(int face, const MipOptions& options) {
     MipOptions before = options; // GLU scales what it has read
     if (readsFirst_ == ReadsFirst::ForGlu)
         before.npot = NpotPolicy::Keep;
-    Image held = pixels(basePicture(), face);
-    held =
-        hasBorder()
-            ? std::move(
-                  applyMipPolicyWithBorder(MipPolicy::None, std::move(held), axesOf(target_), before).front())
-            : std::move(applyMipPolicy(MipPolicy::None, std::move(held), before).front());
-    Result<Read> read = readBack(held);
+    Result<Read> read = readBack(chainOf(MipPolicy::None, pixels(basePicture(), face), before).front());
     if (!read)
         return fail(read.error());
-    MipChain chain = hasBorder() ? applyMipPolicyWithBorder(texture_.mipmaps, std::move(read->image),
-                                                            axesOf(target_), options)
-                                 : applyMipPolicy(texture_.mipmaps, std::move(read->image), options);
+    if (readsFirst_ == ReadsFirst::ForDriver)
+        replaceIn(read->image, 0, face);
+    MipChain chain = chainOf(texture_.mipmaps, std::move(read->image), options);
     int number = 0;
     for (Image& level : chain)
         out_.levels.push_back({number++, std::move(level), face});
-    if (readsFirst_ == ReadsFirst::ForDriver)
+    if (readsFirst_ == ReadsFirst::ForDriver && !hasSubimage(0, face))
         read->moveMemoryTo(out_.levels[out_.levels.size() - chain.size()]);
     return {};
 }

@@ -30,6 +30,7 @@ Sentence nameOf(const Texture& settings) {
     case SourceKind::File:
         return ProperName{std::filesystem::path(settings.file).filename().string()};
     case SourceKind::LightDepth:
+    case SourceKind::Picture:
         return rowOf(settings.source).label;
     }
     return rowOf(settings.pattern).label;

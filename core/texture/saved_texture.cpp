@@ -156,10 +156,9 @@ bool hasAlpha(const Surface& surface) {
 
 Result<void> checkSaving(const LevelPlan& plan, const TextureSaving& how) {
     if (plan.levels.empty())
-        return fail(ErrorCode::Unsupported,
-                    !plan.refusal.empty() ? plan.refusal
-                    : plan.upload         ? plan.upload->refusal
-                                          : Sentence(N_("the texture has no levels")));
+        return fail(ErrorCode::Unsupported, !plan.refusal.empty() ? plan.refusal
+                                            : plan.upload         ? plan.upload->refusal
+                                                          : Sentence(N_("the texture has no levels")));
     if (!how.hasAllLevels()) {
         if (std::ranges::find(plan.levels, how.level, &PlannedLevel::number) != plan.levels.end())
             return {};

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -26,8 +27,10 @@ Result<TextureLevels> run(const Texture& texture, const TexturePictures& picture
     try {
         Result<TextureLevels> made = LevelMaker(texture, pictures, target, work, lends).run();
         if (made && isMadeByDriver(texture.mipmaps) && areColors(*made)) {
-            made->madeByDriver = !hasFewBits(made->internalFormat);
-            if (!made->madeByDriver)
+            const bool changesOthers = std::ranges::any_of(
+                texture.subimages, [](const Subimage& subimage) { return subimage.level > 0; });
+            made->madeByDriver = !hasFewBits(made->internalFormat) && !changesOthers;
+            if (hasFewBits(made->internalFormat))
                 made->notes.push_back(
                     Sentence("drivers may store more bits than {0}: levels made with Texplorer's box filter",
                              ProperName{rowOf(made->internalFormat).name}));
@@ -65,6 +68,10 @@ void eachPreparationStep(const Texture& texture, const TexturePictures& pictures
     upright.flip = FlipMode::Pixels;
     const LevelWork work{.cache = {}, .stop = stop};
     LevelMaker(upright, pictures, Target::Texture2D, work).eachStep(visit);
+}
+
+Image subimageOf(const Texture& texture, const TexturePictures& pictures, Target target, std::size_t index) {
+    return LevelMaker(texture, pictures, target, {}).subimageOf(index);
 }
 
 void decompress(TextureLevels& levels) {

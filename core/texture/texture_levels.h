@@ -95,6 +95,11 @@ struct LevelWork {
 void eachPreparationStep(const Texture& texture, const TexturePictures& pictures,
                          const std::function<void(const Image&)>& visit, const std::stop_token& stop = {});
 
+/// The pixels of a subimage, Rgba8, with the rows in the texture's order; empty if its image is not loaded.
+/// Which ones are made is part of a plan (texplorer/texture/level_plan.h).
+[[nodiscard]] Image subimageOf(const Texture& texture, const TexturePictures& pictures, Target target,
+                               std::size_t index);
+
 /// Decompresses every level to 8 bits per component of the blocks' base format, for drivers without S3TC. The
 /// other members are unchanged.
 void decompress(TextureLevels& levels);

@@ -22,12 +22,16 @@ struct TexturePictures {
     Picture base;
     std::vector<Picture> levels; ///< of Texture::levels; fewer or none if the others are not loaded
     std::vector<Picture> others; ///< of Texture::preparation; nullptr also for steps without another picture
+    std::vector<Picture> subimages; ///< of Texture::subimages
 
     [[nodiscard]] const TextureImage* level(std::size_t index) const {
         return index < levels.size() ? levels[index].get() : nullptr;
     }
     [[nodiscard]] const TextureImage* other(std::size_t index) const {
         return index < others.size() ? others[index].get() : nullptr;
+    }
+    [[nodiscard]] const TextureImage* subimage(std::size_t index) const {
+        return index < subimages.size() ? subimages[index].get() : nullptr;
     }
 
     bool operator==(const TexturePictures&) const = default;

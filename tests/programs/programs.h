@@ -30,6 +30,7 @@ void drawQuadrics(int width, int height);
 void drawEarthNearest(int width, int height);
 void drawEarthLinear(int width, int height);
 void drawPackedPixels(int width, int height);
+void drawTexsub(int width, int height);
 void drawNeheNoBumps(int width, int height);
 void drawNeheBumpsOneUnit(int width, int height);
 void drawNeheBumpsTwoUnits(int width, int height);

@@ -155,7 +155,7 @@ Value Generator::valueOf(const ParamRow& row, const Value& start) {
         return EnumValue{dice_.of(row.choices).value};
     case Kind::Text:
         if (row.member != memberId<&Texture::file> && row.member != memberId<&GivenLevel::file> &&
-            row.member != memberId<&ImageStep::file>)
+            row.member != memberId<&ImageStep::file> && row.member != memberId<&Subimage::file>)
             return std::string(dice_.of(names));
         return files_.empty() ? std::string() : dice_.of(files_);
     case Kind::Matrix: {
@@ -283,6 +283,29 @@ void fitUpload(Texture& texture, Temper temper, Dice& dice) {
     upload.skipRows %= 64;
 }
 
+/// Few and small: each frame draws all of them. Most subimages fit. Programs can draw most pictures.
+void fitPicture(Texture& texture, Dice& dice) {
+    if (texture.source == SourceKind::Picture && !dice.chance(4)) {
+        texture.preparation.clear();
+        texture.subimages.clear();
+        texture.transparency = Transparency::File;
+        texture.border = 0;
+        texture.compression = Compression::None;
+        texture.npot = NpotPolicy::Keep;
+        texture.mipmaps = dice.chance(2) ? MipPolicy::None : MipPolicy::GenerateMipmap;
+        texture.internalFormat = internalFormat(dice.any<BaseFormat>());
+        texture.pictureCall = PictureCall::CopyTexSubImage;
+    }
+    texture.picture = 1 + texture.picture % 2;
+    texture.pictureSize = 1 + texture.pictureSize % 64;
+    texture.frames = 1 + texture.frames % 3;
+    for (Subimage& subimage : texture.subimages) {
+        subimage.level %= 8;
+        for (int* offset : {&subimage.x, &subimage.y, &subimage.z})
+            *offset %= 32;
+    }
+}
+
 /// The relations between members that no row knows.
 void fit(Scene& scene, Temper temper, Generator& generator, Dice& dice, bool hasFiles) {
     if (!dice.chance(3))
@@ -303,6 +326,7 @@ void fit(Scene& scene, Temper temper, Generator& generator, Dice& dice, bool has
     }
     for (Texture& texture : scene.textures) {
         fitUpload(texture, temper, dice);
+        fitPicture(texture, dice);
         if (hasFiles)
             continue;
         if (texture.source == SourceKind::File)
@@ -311,8 +335,11 @@ void fit(Scene& scene, Temper temper, Generator& generator, Dice& dice, bool has
             level.source = SourceKind::Pattern;
         for (ImageStep& step : texture.preparation)
             step.source = SourceKind::Pattern;
+        for (Subimage& subimage : texture.subimages)
+            subimage.source = SourceKind::Pattern;
     }
     for (Pass& pass : scene.passes) {
+        pass.picture = dice.chance(3) ? 1 + pass.picture % 2 : 0;
         if (dice.chance(2))
             pass.models = someModels(scene, dice);
         for (Unit& unit : pass.units) {
@@ -320,6 +347,9 @@ void fit(Scene& scene, Temper temper, Generator& generator, Dice& dice, bool has
                 unit.enabled = false;
             else
                 unit.texture %= static_cast<int>(scene.textures.size());
+            if (unit.enabled && !dice.chance(4) &&
+                scene.textures[static_cast<std::size_t>(unit.texture)].source == SourceKind::Picture)
+                unit.target = Target::Texture2D;
         }
     }
     fitKeys(scene, generator, dice, hasFiles);

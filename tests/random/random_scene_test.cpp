@@ -190,7 +190,7 @@ TEST(RandomScenes, ReachEveryChoiceAndBothEndsOfEveryRow) {
         EXPECT_EQ(choices.size(), row->choices.size()) << row->key;
     for (const auto& [row, texts] : seen.texts) {
         if (row->member == memberId<&Texture::file> || row->member == memberId<&GivenLevel::file> ||
-            row->member == memberId<&ImageStep::file>)
+            row->member == memberId<&ImageStep::file> || row->member == memberId<&Subimage::file>)
             EXPECT_EQ(texts, std::set<std::string>(files.begin(), files.end()));
         else if (row->member == memberId<&KeyFrame::path> || row->member == memberId<&KeyFrame::value>)
             EXPECT_GT(texts.size(), 1000U) << row->key;
@@ -206,11 +206,11 @@ TEST(RandomScenes, ReachEveryChoiceAndBothEndsOfEveryRow) {
     EXPECT_EQ(seen.choices.size() + seen.numbers.size() + seen.texts.size(), [] {
         std::size_t count = 0;
         for (const StructTable* table :
-             {&viewTable(),   &lightTable(),    &projectorTable(),  &materialTable(),  &modelTable(),
-              &meshTable(),   &textureTable(),  &givenLevelTable(), &imageStepTable(), &passTable(),
-              &fogTable(),    &unitTable(),     &matrixStepTable(), &combineTable(),   &embossTable(),
-              &uploadTable(), &keyFrameTable(), &texGenTable(0),    &texGenTable(1),   &texGenTable(2),
-              &texGenTable(3)})
+             {&viewTable(),    &lightTable(),   &projectorTable(),  &materialTable(),   &modelTable(),
+              &meshTable(),    &textureTable(), &givenLevelTable(), &imageStepTable(),  &subimageTable(),
+              &passTable(),    &fogTable(),     &unitTable(),       &matrixStepTable(), &combineTable(),
+              &embossTable(),  &uploadTable(),  &keyFrameTable(),   &texGenTable(0),    &texGenTable(1),
+              &texGenTable(2), &texGenTable(3)})
             count += table->params.size();
         return count;
     }());

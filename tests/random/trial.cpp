@@ -152,6 +152,8 @@ struct Trial::State::Run {
         if (!image)
             return broken(nameOf(kind) + ": " + describe(image.error()).english());
         heed(frame->problems);
+        for (const auto& [key, picture] : frame->pictures) // the same for all, so that the window is compared
+            images.putPicture(key, picture);
         pictures.emplace(kind, std::move(*image));
     }
 

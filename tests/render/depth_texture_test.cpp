@@ -177,7 +177,7 @@ TEST_F(DepthTexture, KeepsItsBits) {
         Scene scene = sceneAt(0, 0, format);
         scene.textures[0].source = SourceKind::LightDepth;
         scene.textures[0].depthSize = 16;
-        images.putLightDepth(16, depthImage(depths));
+        images.putLightDepth(16, drawnImage(depths));
         static_cast<void>(picture(scene));
         EXPECT_TRUE(problems.empty());
         const Result<std::vector<TextureLevel>> read = renderer->readTexture(0);

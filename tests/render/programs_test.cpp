@@ -83,6 +83,7 @@ const std::array allPrograms{
     Program{"EarthLinear", programs::drawEarthLinear, "earth",
             [](Scene& scene) { setFilter(scene, MagFilter::Linear, MinFilter::Linear); }},
     Program{"PackedPixels", programs::drawPackedPixels, "packed-pixels"},
+    Program{"Texsub", programs::drawTexsub, "texsub"},
     Program{"NeheNoBumps", programs::drawNeheNoBumps, "nehe-no-bumps"},
     Program{"NeheBumpsOneUnit", programs::drawNeheBumpsOneUnit, "nehe-bumps-1-unit", nullptr, blendedTwice},
     Program{"NeheBumpsTwoUnits", programs::drawNeheBumpsTwoUnits, "nehe-bumps-2-units", nullptr,

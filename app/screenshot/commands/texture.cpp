@@ -192,7 +192,13 @@ Result<WrittenTexture> imageOf(const TextureOptions& options, OpenedScene& opene
     const Texture& texture = opened.scene.textures[static_cast<std::size_t>(options.texture)];
     if (texture.source == SourceKind::LightDepth)
         opened.images.putLightDepth(
-            texture.depthSize, depthImage(reference::drawLightDepths(opened.scene, 0, texture.depthSize)));
+            texture.depthSize, drawnImage(reference::drawLightDepths(opened.scene, 0, texture.depthSize)));
+    if (texture.source == SourceKind::Picture) {
+        Result<ImageSource> drawn = reference::ReferenceRenderer().drawnImages({opened.scene, opened.images});
+        if (!drawn)
+            return fail(drawn.error());
+        opened.images = std::move(*drawn);
+    }
     const TexturePictures pictures = opened.images.picturesOf(texture);
     if (options.allLevels)
         return allLevelsOf(texture, pictures).map([](TextureImage&& image) {

@@ -168,6 +168,7 @@ Json jsonOf(const UnitExplanation& unit) {
               {"target", nameOf(unit.target)},
               {"baseFormat", nameOf(unit.format)},
               {"internalFormat", nameOf(unit.internalFormat)},
+              {"picture", unit.picture},
               {"preparation", preparation},
               {"generates",
                Json::array({unit.generates[0], unit.generates[1], unit.generates[2], unit.generates[3]})},

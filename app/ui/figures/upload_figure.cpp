@@ -45,8 +45,8 @@ bool follow(Session& session, UploadFigureState& state) {
         (void)followLevels(workers(session).levels, state.held, std::move(bound));
         if (state.held.problem.empty() && !(*state.held.levels)->call)
             state.held.problem =
-                texture->source == SourceKind::LightDepth
-                    ? N_("The driver copies the light's view: no call reads pixels.")
+                isDrawn(texture->source)
+                    ? N_("The driver draws it: no call reads pixels.")
                     : N_("The file's blocks are uploaded as they are: no call reads pixels.");
     }
     return before != std::pair(state.held.problem, state.held.levels);

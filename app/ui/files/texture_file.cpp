@@ -40,8 +40,15 @@ Result<MadeFile> madeOf(TextureOrder order, const FileMaking& making) {
     const Texture& texture = order.scene.textures[order.texture];
     if (texture.source == SourceKind::LightDepth)
         order.images.putLightDepth(
-            texture.depthSize, depthImage(reference::drawLightDepths(order.scene, order.time,
+            texture.depthSize, drawnImage(reference::drawLightDepths(order.scene, order.time,
                                                                      texture.depthSize, making.levels.stop)));
+    if (texture.source == SourceKind::Picture) {
+        Result<ImageSource> drawn = reference::ReferenceRenderer().drawnImages(
+            {order.scene, order.images, order.time}, {.stop = making.levels.stop});
+        if (!drawn)
+            return fail(drawn.error());
+        order.images = std::move(*drawn);
+    }
     LevelWork work = making.levels;
     work.progress = making.report;
     const Result<SavedTexture> saved =
@@ -97,7 +104,7 @@ Result<FileOrder> textureOrder(const Session& session, std::filesystem::path fil
 std::string textureFileName(const Session& session) {
     const std::string extension = extensionsOf(codecOf(session.saving)).front();
     const Texture* texture = boundTexture(session);
-    if (!texture || texture->source == SourceKind::LightDepth)
+    if (!texture || isDrawn(texture->source))
         return fileNameOf(session.document, "-depths" + extension);
     if (texture->source == SourceKind::Pattern)
         return std::string(rowOf(texture->pattern).name) + extension;

@@ -31,7 +31,8 @@ void askAboutTextures(Session& session) {
 }
 
 LevelsRequest levelsOf(const Session& session, const Texture& texture, Target target) {
-    return {session.document.images.picturesOf(texture), imageSettings(texture), target};
+    const ImageSource& images = isDrawn(texture.source) ? session.drawn : session.document.images;
+    return {images.picturesOf(texture), imageSettings(texture), target};
 }
 
 std::optional<LevelsRequest> boundLevels(const Session& session) {

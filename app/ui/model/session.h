@@ -33,6 +33,7 @@ struct Session {
 
     Services services;
     Document document;
+    ImageSource drawn; ///< the document's images, with those that renderers draw for textures
     Look look;         ///< reset for another document
     Settings settings; ///< kept between windows
     ViewSettings view; ///< the renderers and how their frames are shown

@@ -60,6 +60,7 @@ void preparationList(const Session& session, std::size_t texture, const LevelsSu
                      const Pictures& pictures);
 void levelList(const Session& session, std::size_t texture, const LevelsSummary* summary,
                const Pictures& pictures);
+void subimageList(const Session& session, std::size_t texture);
 
 /// Whether a value may be set at once. A source without a file asks for one; a file that is not loaded is
 /// read first. `owner` is the path of the object that names it, `file` its current name.

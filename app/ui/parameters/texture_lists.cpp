@@ -67,6 +67,15 @@ constexpr ListWords levelWords{"level",
                                N_("Reorder levels"),
                                N_("Remove level")};
 
+constexpr ListWords subimageWords{"subimage",
+                                  "",
+                                  N_("Replace this subimage earlier"),
+                                  N_("Replace this subimage later"),
+                                  N_("Remove this subimage"),
+                                  "",
+                                  N_("Reorder subimages"),
+                                  N_("Remove subimage")};
+
 /// The buttons of one element.
 void editElement(const Session& session, std::size_t index, std::size_t count, const std::string& path,
                  const ListWords& words) {
@@ -248,6 +257,30 @@ void levelList(const Session& session, std::size_t index, const LevelsSummary* s
     if (button("+ Down to 1 × 1", "levels:add all", "Adds all levels that a complete texture needs",
                texture.levels.size() < wanted, width))
         addLevels(session, index, wanted);
+}
+
+void subimageList(const Session& session, std::size_t texture) {
+    const std::vector<Subimage>& subimages = presentScene(session).textures[texture].subimages;
+    const std::string owner = elementOf<&Scene::textures>(texture) + ".";
+    const std::string list = owner + keyOf<&Texture::subimages>();
+    if (!subimages.empty())
+        caption("Subimages");
+    for (std::size_t i = 0; i < subimages.size(); ++i) {
+        const std::string path = owner + elementOf<&Texture::subimages>(i);
+        ImGui::PushID(path.c_str());
+        labelText(Sentence("Subimage {0}", i + 1), color::dim);
+        if (const Finding* problem = problemOf(session.document.findings, path)) {
+            ImGui::SameLine();
+            problemSign(session, path, *problem);
+        }
+        editElement(session, i, subimages.size(), path, subimageWords);
+        elementRows(session, subimages[i], path, subimageTable());
+        ImGui::PopID();
+    }
+    if (button("+ Subimage", "subimages:add",
+               "Replaces a part of a level after the upload, as glTexSubImage2D does",
+               subimages.size() < maxSubimages, ImGui::GetContentRegionAvail().x))
+        submit(session, {.name = N_("Add subimage"), .edits = {edit::Insert{list, subimages.size()}}});
 }
 
 bool acceptsFile(const Session& session, const std::string& owner, const std::string& file,

@@ -111,8 +111,10 @@ void textureSection(const Session& session, const Pictures& pictures) {
             preparationList(session, index, summary.get(), pictures);
             uploadGroup(session);
         }
-        if (group == findParam(textureTable(), keyOf<&Texture::mipmaps>())->group)
+        if (group == findParam(textureTable(), keyOf<&Texture::mipmaps>())->group) {
             levelList(session, index, summary.get(), pictures);
+            subimageList(session, index);
+        }
     };
     paramRows(session, textureOwner(session), textureTable(), options);
 }

@@ -29,7 +29,7 @@ bool counts(const Model& model) {
 template<class Visit>
 void forEachCorner(const Scene& scene, double time, Visit visit) {
     for (std::size_t i = 0; i < scene.models.size(); ++i) {
-        if (!counts(scene.models[i]) || !isDrawn(scene, i))
+        if (!counts(scene.models[i]) || !isInWindow(scene, i))
             continue;
         Model model = scene.models[i];
         const glm::mat4 matrix = modelMatrix(model, time);

@@ -80,6 +80,7 @@ struct UnitExplanation {
     BaseFormat format = BaseFormat::Rgba;
     /// For compressed textures, the one of their base format.
     InternalFormat internalFormat = InternalFormat::Rgba;
+    int picture = 0; ///< the number of the passes' picture that the texture shows; 0: it shows none
     std::vector<ImageOp> preparation{}; ///< the operations on the image before it became a texture
 
     std::array<bool, 4> generates{};       ///< which of s, t, r and q are generated

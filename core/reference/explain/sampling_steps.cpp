@@ -356,7 +356,11 @@ Step texelsStep(const UnitExplanation& unit) {
     }
     if (taps.size() > maxTapsShown)
         step.rows.push_back({Sentence("and {0} more with less weight", taps.size() - maxTapsShown)});
-    for (const Sentence& sentence : {preparedSentence(unit), storedSentence(unit.internalFormat)}) {
+    const Sentence drawn = unit.picture == 0 ? Sentence()
+                                             : Sentence("Each texel is a pixel of picture {0}, which passes "
+                                                        "drew before.",
+                                                        unit.picture);
+    for (const Sentence& sentence : {drawn, preparedSentence(unit), storedSentence(unit.internalFormat)}) {
         if (!sentence.empty())
             step.rows.push_back({sentence, {}, {}, false, Ink::Dim});
     }

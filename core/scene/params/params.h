@@ -119,6 +119,7 @@ modelMaterialTable(); ///< of one model: without the members that only the scene
 [[nodiscard]] const StructTable& textureTable();
 [[nodiscard]] const StructTable& givenLevelTable();
 [[nodiscard]] const StructTable& imageStepTable();
+[[nodiscard]] const StructTable& subimageTable();
 [[nodiscard]] const StructTable& passTable();
 [[nodiscard]] const StructTable& fogTable();
 [[nodiscard]] const StructTable& unitTable();

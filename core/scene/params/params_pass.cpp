@@ -13,6 +13,11 @@ constexpr std::array passRows{
         N_("Whether this pass is drawn. Passes are drawn one after the other, each over the ones before.")),
     param<&Pass::name>("name", N_("Pass"), N_("Name"), "",
                        N_("The name of the pass in lists. It has no other effect.")),
+    param<&Pass::picture>(
+        "picture", N_("Pass"), N_("Draws in"), "",
+        N_("Where this pass draws: in the window, or in a picture that textures show. Each is cleared to the "
+           "background before its first pass."),
+        {0, static_cast<float>(maxPictures), 0.02F, {}, N_("the window")}),
     list<&Pass::models>(
         "models", N_("Pass"), N_("Models"), "",
         N_("The models that this pass draws, counted from 0 and in this order. Without a list: all models."),
@@ -74,7 +79,7 @@ const StructTable& passTable() {
         build::single<&Pass::fog>("fog", N_("Fog"), fogTable()),
         build::many<&Pass::units>("units", N_("Unit"), unitTable(), maxUnits, maxUnits),
     };
-    static_assert(passRows.size() == 13 && passRows.size() + children.size() == build::memberCount<Pass>());
+    static_assert(passRows.size() == 14 && passRows.size() + children.size() == build::memberCount<Pass>());
     static const StructTable table{N_("Pass"), passRows, children};
     return table;
 }

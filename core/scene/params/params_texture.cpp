@@ -9,7 +9,7 @@ using build::param;
 
 constexpr std::array textureRows{
     param<&Texture::source>("source", N_("Image"), N_("Source"), "",
-                            N_("Whether the image is built in or read from a file.")),
+                            N_("Whether the image is built in, read from a file or drawn.")),
     param<&Texture::pattern>("pattern", N_("Image"), N_("Pattern"), "",
                              N_("The built-in image, if that is the source.")),
     param<&Texture::file>(
@@ -19,6 +19,20 @@ constexpr std::array textureRows{
                                N_("The number of texels on each side of the shadow map, if that is the "
                                   "source. Few texels make jagged shadows."),
                                {1, 2048, 1, N_("texels")}),
+    param<&Texture::picture>(
+        "picture", N_("Image"), N_("Picture"), "",
+        N_("The number of the picture. The passes with the same number in \"Draws in\" draw it."),
+        {1, static_cast<float>(maxPictures), 0.02F, {}}),
+    param<&Texture::pictureSize>("pictureSize", N_("Image"), N_("Picture size"), "",
+                                 N_("The number of texels on each side of the picture."),
+                                 {1, 2048, 1, N_("texels")}),
+    param<&Texture::frames>("frames", N_("Image"), N_("Frames"), "",
+                            N_("How often the picture is drawn, 1/30 s apart. A pass that reads a picture "
+                               "before it is finished sees the frame before; the first sees black."),
+                            {1, static_cast<float>(maxFrames), 0.05F, {}}),
+    param<&Texture::pictureCall>(
+        "pictureCall", N_("Image"), N_("Drawn by"), "",
+        N_("The call by which a program fills the texture. The picture is the same.")),
     param<&Texture::flip>(
         "flip", N_("Image"), N_("Flip"), "",
         N_("How an image whose file begins with the top row is turned upright. OpenGL's first row is the "
@@ -130,7 +144,7 @@ constexpr std::array textureRows{
         N_("How important it is to keep the texture in fast memory. It changes no pixel."),
         {0, 1, 0.005F, {}}),
 };
-static_assert(textureRows.size() == 33);
+static_assert(textureRows.size() == 37);
 
 constexpr ParamRow pictureSource(ParamRow row) {
     row.choices = pictureSourceRows;
@@ -189,6 +203,34 @@ constexpr std::array imageStepRows{
     param<&ImageStep::file>("file", N_("Step"), N_("Other file"), "",
                             N_("The path of the other image's file, relative to the scene file.")),
 };
+constexpr std::array subimageRows{
+    param<&Subimage::level>("level", N_("Subimage"), N_("Level"), "",
+                            N_("The level that is changed; 0 is the base."),
+                            {0, static_cast<float>(maxGivenLevels), 0.02F, {}}),
+    param<&Subimage::x>("x", N_("Subimage"), N_("x offset"), "",
+                        N_("The column where the part begins, counted from the left."),
+                        {0, 16383, 0.2F, N_("texels")}),
+    param<&Subimage::y>("y", N_("Subimage"), N_("y offset"), "",
+                        N_("The row where the part begins, counted from t = 0."),
+                        {0, 16383, 0.2F, N_("texels")}),
+    param<&Subimage::z>(
+        "z", N_("Subimage"), N_("z offset"), "",
+        N_("The slice of a 3D texture where the part begins; of a cube map, the face, from 0 to 5."),
+        {0, 16383, 0.2F, N_("texels")}),
+    param<&Subimage::width>("width", N_("Subimage"), N_("Width"), "",
+                            N_("The width of a built-in image; a file keeps its own."),
+                            {1, 2048, 0.2F, N_("texels")}),
+    param<&Subimage::height>("height", N_("Subimage"), N_("Height"), "",
+                             N_("The height of a built-in image; a file keeps its own."),
+                             {1, 2048, 0.2F, N_("texels")}),
+    pictureSource(param<&Subimage::source>("source", N_("Subimage"), N_("Source"), "",
+                                           N_("Whether the part's image is built in or read from a file."))),
+    param<&Subimage::pattern>("pattern", N_("Subimage"), N_("Pattern"), "",
+                              N_("The built-in image, scaled to the part.")),
+    param<&Subimage::file>("file", N_("Subimage"), N_("File"), "",
+                           N_("The path of an image file, relative to the scene file.")),
+};
+static_assert(subimageRows.size() == 9 && subimageRows.size() == build::memberCount<Subimage>());
 static_assert(imageStepRows.size() == 14 && imageStepRows.size() == build::memberCount<ImageStep>());
 
 } // namespace
@@ -198,6 +240,7 @@ const StructTable& textureTable() {
         build::many<&Texture::levels>("levels", N_("Level"), givenLevelTable(), 0, maxGivenLevels),
         build::many<&Texture::preparation>("preparation", N_("Image step"), imageStepTable(), 0,
                                            maxImageSteps),
+        build::many<&Texture::subimages>("subimages", N_("Subimage"), subimageTable(), 0, maxSubimages),
         build::single<&Texture::upload>("upload", N_("Upload"), uploadTable()),
     };
     // The sampler state is one member of the texture, its base, and has a row for each of its own.
@@ -209,6 +252,11 @@ const StructTable& textureTable() {
 
 const StructTable& givenLevelTable() {
     static const StructTable table{N_("Level"), givenLevelRows, {}};
+    return table;
+}
+
+const StructTable& subimageTable() {
+    static const StructTable table{N_("Subimage"), subimageRows, {}};
     return table;
 }
 

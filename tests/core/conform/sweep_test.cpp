@@ -779,6 +779,10 @@ const Wrong wrongs[] = {
          if (s.textures[0].source == SourceKind::LightDepth)
              s.textures[0].compareFunc = CompareFunc::Always;
      }},
+    {"SubimagesLeftOut", "subimages", [](Scene& s) { s.textures[0].subimages.clear(); }},
+    {"SubimageAsIfItFitted", "subimages", [](Scene& s) { s.textures[0].subimages[0].x = 0; }},
+    {"PictureOfTheBackground", "pictures", [](Scene& s) { s.passes[0].enabled = false; }},
+    {"FramesLeftOut", "pictures", [](Scene& s) { s.textures[1].frames = 1; }},
     {"EnvironmentColorLost", "environment", [](Scene& s) { eachUnit(s, [](Unit& u) { u.envColor = {}; }); }},
     {"OperandInverted", "combine",
      [](Scene& s) {

@@ -12,7 +12,7 @@ std::vector<Mistake> mistakes() {
     std::vector<Mistake> all;
     for (const auto& part :
          {textureMistakes(), levelMistakes(), uploadMistakes(), formatMistakes(), settingMistakes(),
-          unitMistakes(), passMistakes(), vertexMistakes(), depthMistakes()})
+          unitMistakes(), passMistakes(), vertexMistakes(), depthMistakes(), pictureMistakes()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

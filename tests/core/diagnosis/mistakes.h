@@ -79,5 +79,6 @@ void castShadows(Subject& s);
 [[nodiscard]] std::span<const Mistake> passMistakes();
 [[nodiscard]] std::span<const Mistake> vertexMistakes();
 [[nodiscard]] std::span<const Mistake> depthMistakes();
+[[nodiscard]] std::span<const Mistake> pictureMistakes();
 
 } // namespace texplorer::test

@@ -49,9 +49,21 @@ std::vector<std::string> all(const Scene& scene) {
     return linesOf(scene, true);
 }
 
-bool showsDepths(const Scene& scene, const Unit& unit) {
+bool showsDrawn(const Scene& scene, const Unit& unit) {
     const auto index = static_cast<std::size_t>(unit.texture);
-    return index < scene.textures.size() && scene.textures[index].source == SourceKind::LightDepth;
+    return index < scene.textures.size() && isDrawn(scene.textures[index].source);
+}
+
+/// A picture of passes as it is drawn: programs refuse the rest.
+Texture plainPicture(const Texture& texture) {
+    Texture plain;
+    static_cast<SamplerState&>(plain) = texture;
+    plain.source = SourceKind::Picture;
+    plain.picture = texture.picture;
+    plain.pictureSize = texture.pictureSize;
+    plain.frames = texture.frames;
+    plain.pictureCall = PictureCall::CopyTexSubImage;
+    return plain;
 }
 
 /// Programs of scenes, two files each, for the C compiler: valid C, or an error.
@@ -63,10 +75,12 @@ protected:
         for (Texture& texture : scene.textures) {
             if (texture.source == SourceKind::LightDepth) // programs refuse its other formats
                 texture.internalFormat = InternalFormat::DepthComponent24;
+            if (texture.source == SourceKind::Picture)
+                texture = plainPicture(texture);
         }
         for (Pass& pass : scene.passes) {
             for (Unit& unit : pass.units)
-                unit.target = showsDepths(scene, unit) ? Target::Texture2D : unit.target;
+                unit.target = showsDrawn(scene, unit) ? Target::Texture2D : unit.target;
         }
         const std::vector<Line> lines = programOf(scene);
         for (const bool all : {false, true}) {
@@ -138,7 +152,7 @@ TEST(EmittedValues, AreThoseOfTheParametersThatTheyName) {
         Scene scene = random::randomScene(11, i, {}).scene;
         scene.timeline = {}; // programs refuse some of these
         for (Texture& texture : scene.textures) {
-            if (texture.source == SourceKind::LightDepth) // programs refuse some of these
+            if (isDrawn(texture.source)) // programs refuse some of these
                 texture.source = SourceKind::Pattern;
         }
         int numbers = 0;
@@ -731,6 +745,49 @@ TEST(EmittedPrograms, RefuseWhatTheyCantDraw) {
               "textures[0].internalFormat: programs support shadow maps in depth textures, not GL_RGBA");
     scene.textures[0].internalFormat = InternalFormat::DepthComponent24;
     EXPECT_THAT(needed(scene), Contains("drawShadowMap0();"));
+}
+
+TEST(EmittedPictures, AreDrawnBeforeTheWindow) {
+    Scene scene = defaultScene();
+    scene.textures[0].source = SourceKind::Picture;
+    scene.textures[0].mipmaps = MipPolicy::None;
+    scene.passes.push_back(scene.passes[0]);
+    scene.passes[0].picture = 1;
+    scene.passes[0].units[0].enabled = false;
+    const std::string text = textOf(programOf(scene), false);
+    EXPECT_THAT(text, HasSubstr("glBindFramebuffer(GL_FRAMEBUFFER, picture0);"));
+    EXPECT_LT(text.find("static void drawPicture0"), text.find("static void draw(int width"));
+    scene.textures[0].pictureCall = PictureCall::CopyTexImage;
+    scene.textures[0].internalFormat = InternalFormat::Luminance;
+    EXPECT_THAT(needed(scene),
+                Contains("glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE, 0, 0, width, height, 0);"));
+}
+
+// EXT_framebuffer_object, sections 4.4.3 and 4.4.4.
+TEST(EmittedPictures, AreRefusedWhereAFramebufferCannotBeDrawnInto) {
+    Scene scene = defaultScene();
+    scene.textures[0].source = SourceKind::Picture;
+    scene.textures[0].mipmaps = MipPolicy::None;
+    scene.passes.push_back(scene.passes[0]);
+    scene.passes[0].picture = 1;
+    emit::TextureCodes codes;
+    const auto refusal = [&] {
+        const auto lines = emit::program(emit::Flavour::Fixed, scene, {}, {}, codes);
+        return lines ? std::string() : describe(lines.error()).english();
+    };
+    EXPECT_EQ(refusal(),
+              "textures[0].pictureCall: what a pass reads of the texture that it draws into is undefined; "
+              "it can be copied");
+    scene.passes[0].units[0].enabled = false;
+    EXPECT_EQ(refusal(), "");
+    scene.textures[0].internalFormat = InternalFormat::Luminance;
+    EXPECT_EQ(refusal(),
+              "textures[0].internalFormat: nothing can be drawn into a texture of GL_LUMINANCE; it can be "
+              "copied");
+    scene.textures[0].pictureCall = PictureCall::CopyTexImage;
+    EXPECT_EQ(refusal(), "");
+    scene.textures[0].preparation.resize(1);
+    EXPECT_EQ(refusal(), "textures[0].preparation: programs show pictures of passes as they are drawn");
 }
 
 /// Hidden parts cost nothing: while a number is dragged, the numbers of texels are not written.

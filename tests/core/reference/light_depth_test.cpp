@@ -91,7 +91,7 @@ TEST(LightDepths, AreMadeOnceAndOnlyForUnitsThatShowThem) {
 TEST(LightDepths, LeaveWhatSomebodyElseHasPut) {
     const Scene scene = squareBeforeTheLight();
     ImageSource images;
-    const auto own = depthImage(Image::uninitialised(PixelFormat::Depth32, 20, 20));
+    const auto own = drawnImage(Image::uninitialised(PixelFormat::Depth32, 20, 20));
     images.putLightDepth(20, own);
     EXPECT_EQ(LightDepths().addedTo(images, scene, 0).find(scene.textures[0]), own);
 }

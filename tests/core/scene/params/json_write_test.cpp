@@ -89,6 +89,10 @@ TEST(WriteScene, ReadsLikeThis) {
                                  "\xC3\xA9"
                                  R"(.png",
       "depthSize": 256,
+      "picture": 1,
+      "pictureSize": 256,
+      "frames": 1,
+      "pictureCall": "glFramebufferTexture2D",
       "flip": "blocks",
       "transparency": "file",
       "stencilColor": [0, 0, 0, 1],
@@ -119,13 +123,15 @@ TEST(WriteScene, ReadsLikeThis) {
       "depthMode": "GL_LUMINANCE",
       "priority": 1,
       "levels": [],
-      "preparation": []
+      "preparation": [],
+      "subimages": []
     }
   ],
   "passes": [
     {
       "enabled": true,
       "name": "",
+      "picture": 0,
       "lighting": false,
       "depthTest": false,
       "depthFunc": "GL_LESS",
