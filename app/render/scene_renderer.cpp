@@ -132,7 +132,7 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
             return fail(all.error());
         if (const Result<void> bound = state.target.bind(size); !bound)
             return fail(bound.error());
-        state.drawScene(reference::hasPictures(*standing) ? reference::picturedScene(*standing, 0) : *standing, *all, time, size);
+        state.drawScene(hasPictures(*standing) ? picturedScene(*standing, 0) : *standing, *all, time, size);
         state.remember(*standing, time, size);
         frame.pictures = all->pictures();
         frame.shaders = state.pipeline->shaders();

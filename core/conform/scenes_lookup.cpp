@@ -255,7 +255,7 @@ Scene pictures(int number, Dice& state, Dice& values) {
         Unit& before = scene.passes[0].units[1];
         before.enabled = true;
         before.texture = 1;
-        before.envMode = EnvMode::Modulate;
+        before.envMode = EnvMode::Add;
     }
     return scene;
 }

@@ -1,8 +1,8 @@
 // Pictures of passes, and parts of levels that are replaced.
 
 #include "texplorer/diagnosis/diagnosis_rules.h"
-#include "texplorer/reference/drawn_pictures.h"
 #include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/pass_pictures.h"
 
 #include <fmt/core.h>
 
@@ -12,7 +12,7 @@ namespace texplorer::diagnosis {
 namespace {
 
 bool isShown(const Scene& scene, int picture) {
-    return std::ranges::any_of(reference::shownPictures(scene),
+    return std::ranges::any_of(shownPictures(scene),
                                [picture](const PictureKey& key) { return key.number == picture; });
 }
 
@@ -62,7 +62,7 @@ void emptyWindow(const Case& about, Report& report) {
 
 /// OpenGL leaves open what a pass reads of the texture that it draws into (EXT_framebuffer_object, 4.4.3).
 void feedback(const Case& about, Report& report) {
-    for (const auto& [pass, texture] : reference::unfinishedReads(about.scene)) {
+    for (const auto& [pass, texture] : unfinishedReads(about.scene)) {
         const Texture& read = about.scene.textures[texture];
         const std::string path =
             fmt::format("{}.{}", elementOf<&Scene::textures>(texture), keyOf<&Texture::frames>());

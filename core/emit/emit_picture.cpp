@@ -3,9 +3,9 @@
 #include "texplorer/emit/emission.h"
 #include "texplorer/gl/argument_names.h"
 #include "texplorer/gl/core_format.h"
-#include "texplorer/reference/drawn_pictures.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/pass_pictures.h"
 
 #include <fmt/core.h>
 
@@ -35,7 +35,7 @@ Part formatOf(const Emission& emission, std::size_t object) {
 
 /// Whether a pass reads the texture that it draws into.
 bool readsItself(const Scene& scene, const Texture& texture) {
-    return std::ranges::any_of(reference::unfinishedReads(scene), [&](const reference::UnfinishedRead& read) {
+    return std::ranges::any_of(unfinishedReads(scene), [&](const UnfinishedRead& read) {
         return scene.passes[read.pass].picture == texture.picture &&
                scene.textures[read.texture].picture == texture.picture;
     });
@@ -97,7 +97,7 @@ std::vector<std::size_t> picturesOf(const Emission& emission) {
     std::vector<std::size_t> pictures;
     for (std::size_t i = 0; i < emission.objects.size(); ++i) {
         const Texture& texture = textureOf(emission, i);
-        const std::vector<PictureKey> shown = reference::shownPictures(emission.scene);
+        const std::vector<PictureKey> shown = shownPictures(emission.scene);
         if (texture.source == SourceKind::Picture && !emission.leftOut.contains(i) &&
             std::ranges::find(shown, pictureOf(texture)) != shown.end())
             pictures.push_back(i);
@@ -116,7 +116,7 @@ std::vector<std::size_t> passesOf(const Emission& emission, std::size_t object) 
 }
 
 Result<void> checkPictures(const Scene& scene, const KeyFrames& keys) {
-    const std::vector<PictureKey> shown = reference::shownPictures(scene);
+    const std::vector<PictureKey> shown = shownPictures(scene);
     for (const TextureObject& object : textureObjectsOf(scene, keys)) {
         const Texture& texture = scene.textures[object.texture];
         if (texture.source != SourceKind::Picture ||
@@ -134,7 +134,7 @@ void writePictureRoom(Emission& emission, std::size_t object) {
     const std::vector<std::size_t> shown = picturesOf(emission);
     if (std::ranges::find(shown, object) == shown.end())
         return writer.comment("nothing shows it");
-    const bool isBlack = !reference::unfinishedReads(emission.scene).empty();
+    const bool isBlack = !unfinishedReads(emission.scene).empty();
     if (isBlack)
         emission.atStart.add({plain(fmt::format("static const GLubyte black{}[", object)),
                               size,
@@ -205,10 +205,10 @@ void endPicture(Emission& emission, std::size_t object, int secondsUses) {
 void writePictureCalls(Emission& emission) {
     CodeWriter& writer = emission.writer;
     const std::vector<std::size_t> pictures = picturesOf(emission);
-    const int frames = reference::shownFrames(emission.scene);
+    const int frames = shownFrames(emission.scene);
     if (pictures.empty())
         return;
-    if (!reference::unfinishedReads(emission.scene).empty()) {
+    if (!unfinishedReads(emission.scene).empty()) {
         writer.comment("what is shown before it is drawn");
         writer.add(fmt::format("glActiveTexture({});", textureUnitName(0)));
         for (const std::size_t object : pictures) {
@@ -224,8 +224,7 @@ void writePictureCalls(Emission& emission) {
         writer.indent();
         if (emission.moves)
             writer.add({plain("const double then = fmax(fmin("), writer.seconds(), plain(", 0.0), "),
-                        writer.seconds(),
-                        plain(fmt::format(" - frame / {:.1f});", 1 / reference::frameInterval))});
+                        writer.seconds(), plain(fmt::format(" - frame / {:.1f});", 1 / frameInterval))});
     }
     const std::string time = !emission.moves ? "" : frames > 1 ? "then" : "seconds";
     for (const std::size_t object : pictures)

@@ -3,10 +3,10 @@
 #include "texplorer/emit/emission.h"
 #include "texplorer/emit/program_frame.h"
 #include "texplorer/gl/argument_names.h"
-#include "texplorer/reference/drawn_pictures.h"
 #include "texplorer/scene/animation.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/pass_pictures.h"
 
 #include <fmt/core.h>
 
@@ -198,8 +198,7 @@ private:
     /// What a picture of passes shows.
     void writePicture(std::size_t object) {
         const int secondsUses = beginPicture(emission_, object);
-        if (reference::shownFrames(emission_.scene) > 1 ||
-            !reference::unfinishedReads(emission_.scene).empty()) {
+        if (shownFrames(emission_.scene) > 1 || !unfinishedReads(emission_.scene).empty()) {
             forgetFrame();
             writeKeyFramesCall(emission_);
         }

@@ -4,9 +4,9 @@
 #include "texplorer/diagnosis/diagnosis.h"
 #include "texplorer/emit/glsl_emission.h"
 #include "texplorer/emit/program_frame.h"
-#include "texplorer/reference/drawn_pictures.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/pass_pictures.h"
 
 #include <fmt/core.h>
 
@@ -89,7 +89,7 @@ Result<std::vector<GlslPass>> passesOf(const Emission& emission) {
         const Pass& drawn = emission.scene.passes[i];
         const auto isIts = [&](const PictureKey& key) { return key.number == drawn.picture; };
         if (!drawsAnything(emission.scene, drawn) ||
-            (drawn.picture != 0 && std::ranges::none_of(reference::shownPictures(emission.scene), isIts)))
+            (drawn.picture != 0 && std::ranges::none_of(shownPictures(emission.scene), isIts)))
             continue;
         GlslPass pass{i, joined(emission.passVariable(i), "program"), emission.passVariable(i), {}, {}, {}};
         for (std::size_t u = 0; u < maxUnits; ++u)
@@ -266,7 +266,7 @@ private:
     /// What a picture of passes shows.
     void writePicture(std::size_t object) {
         const int secondsUses = beginPicture(emission_, object);
-        if (reference::shownFrames(emission_.scene) > 1)
+        if (shownFrames(emission_.scene) > 1)
             writeKeyFramesCall(emission_);
         glsl_.hasModelMatrix = false;
         writePasses(emission_.scene.textures[emission_.objects[object].texture].picture);

@@ -47,18 +47,6 @@ std::vector<Faces> facesOf(const TextureLevels& levels, Target target) {
     return all;
 }
 
-Image asRgba(const Image& image) {
-    if (image.format == PixelFormat::Rgba8)
-        return image;
-    Image out = Image::uninitialised(PixelFormat::Rgba8, image.width, image.height, image.depth);
-    const auto step = static_cast<std::size_t>(bytesPerPixel(image.format));
-    for (std::size_t from = 0, to = 0; from < image.pixels.size(); from += step, to += 4) {
-        const auto texel = rgbaOf(image.format, image.pixels.data() + from);
-        std::memcpy(out.pixels.data() + to, texel.data(), texel.size());
-    }
-    return out;
-}
-
 bool isFlat(const Bytes& texels) {
     return texels.size() > 4 && std::memcmp(texels.data(), texels.data() + 4, texels.size() - 4) == 0;
 }

@@ -1,6 +1,20 @@
 #include "texplorer/image/convert.h"
 
+#include <cstring>
+
 namespace texplorer {
+
+Image asRgba(Image image) {
+    if (image.format == PixelFormat::Rgba8)
+        return image;
+    Image out = Image::uninitialised(PixelFormat::Rgba8, image.width, image.height, image.depth);
+    const auto step = static_cast<std::size_t>(bytesPerPixel(image.format));
+    for (std::size_t from = 0, to = 0; from < image.pixels.size(); from += step, to += 4) {
+        const auto texel = rgbaOf(image.format, image.pixels.data() + from);
+        std::memcpy(out.pixels.data() + to, texel.data(), texel.size());
+    }
+    return out;
+}
 
 Image withoutAlpha(Image image) {
     if (image.format != PixelFormat::Rgba8)

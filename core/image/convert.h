@@ -30,6 +30,9 @@ namespace texplorer {
     return {value(0), value(1), value(2), value(3)};
 }
 
+/// Returns all pixels as Rgba8, as OpenGL sees them.
+[[nodiscard]] Image asRgba(Image image);
+
 /// Returns the colours of an Rgba8 image as Rgb8. Images of other formats are returned unchanged.
 [[nodiscard]] Image withoutAlpha(Image image);
 

@@ -228,7 +228,7 @@ struct Texture : SamplerState {
     int depthSize = 256; ///< texels per side, for LightDepth
     int picture = 1;     ///< for Picture, like the next three: the number of passes' picture (Pass::picture)
     int pictureSize = 256; ///< texels per side
-    int frames = 1;        ///< that are drawn one after the other: see texplorer/reference/drawn_pictures.h
+    int frames = 1;        ///< that are drawn one after the other: see texplorer/scene/pass_pictures.h
     PictureCall pictureCall = PictureCall::Framebuffer; ///< the call that programs fill it with
     FlipMode flip = FlipMode::Blocks;
     Transparency transparency = Transparency::File;

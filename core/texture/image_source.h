@@ -3,11 +3,10 @@
 #include "texplorer/base/bytes.h"
 #include "texplorer/base/result.h"
 #include "texplorer/image/texture_image.h"
-#include "texplorer/scene/scene.h"
+#include "texplorer/scene/pass_pictures.h"
 #include "texplorer/texture/image_budget.h"
 #include "texplorer/texture/texture_pictures.h"
 
-#include <compare>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -18,17 +17,6 @@
 #include <vector>
 
 namespace texplorer {
-
-/// Which picture of passes a texture shows.
-struct PictureKey {
-    int number = 1; ///< Pass::picture
-    int size = 0;   ///< texels per side
-
-    auto operator<=>(const PictureKey&) const = default;
-};
-[[nodiscard]] inline PictureKey pictureOf(const Texture& texture) {
-    return {texture.picture, texture.pictureSize};
-}
 
 /// The images of a scene's textures: the whole content of files, with levels and compressed blocks. Renderers
 /// call `find`, which never reads files; the program calls `load` before. Copies are cheap: images are shared
@@ -81,7 +69,8 @@ public:
     }
     [[nodiscard]] bool holdsLightDepth(int size) const { return lightDepths_.contains(size); }
 
-    /// Sets what passes draw, for textures with SourceKind::Picture; likewise (drawn_pictures.h).
+    /// Sets what passes draw, for textures with SourceKind::Picture; likewise
+    /// (texplorer/reference/drawn_pictures.h).
     void putPicture(const PictureKey& key, std::shared_ptr<const TextureImage> image) {
         pictures_[key] = std::move(image);
     }

@@ -12,21 +12,6 @@
 
 namespace texplorer {
 
-namespace {
-
-Image asRgba(const Image& image) {
-    Image rgba = Image::uninitialised(PixelFormat::Rgba8, image.width, image.height, image.depth);
-    std::byte* next = rgba.pixels.data();
-    const auto step = static_cast<std::size_t>(bytesPerPixel(image.format));
-    for (std::size_t at = 0; at < image.pixels.size(); at += step) {
-        for (const std::uint8_t component : rgbaOf(image.format, image.pixels.data() + at))
-            *next++ = std::byte{component};
-    }
-    return rgba;
-}
-
-} // namespace
-
 Image LevelMaker::subimageOf(std::size_t index) const {
     const Subimage& subimage = texture_.subimages[index];
     const TextureImage* image = pictures_.subimage(index);
@@ -37,7 +22,7 @@ Image LevelMaker::subimageOf(std::size_t index) const {
         part = imageForTarget(part, target_);
     if (subimage.source == SourceKind::Pattern)
         part = scaleByCoverage(part, subimage.width, target_ == Target::Texture1D ? 1 : subimage.height);
-    return asRgba(part);
+    return asRgba(std::move(part));
 }
 
 /// Why a subimage is not made, whatever the level's extents are; empty: it may be.
@@ -104,8 +89,7 @@ PlannedLevel LevelMaker::withoutRim(PlannedLevel level) const {
 
 void LevelMaker::replacePart(Image& level, const Image& part, const Subimage& subimage) const {
     const int rim = out_.border;
-    if (level.format != PixelFormat::Rgba8)
-        level = asRgba(level);
+    level = asRgba(std::move(level));
     const int x = subimage.x + rim;
     const int y = axesOf(target_) > 1 ? subimage.y + rim : 0;
     const int z = axesOf(target_) > 2 ? subimage.z + rim : 0;

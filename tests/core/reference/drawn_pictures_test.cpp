@@ -97,7 +97,7 @@ Scene brighterWithEachFrame(int frames) {
 TEST(DrawnPictures, ShowTheFrameBeforeWhereTheyReadThemselves) {
     EXPECT_THAT(colorAt(brighterWithEachFrame(1), 8, 8), ElementsAre(64, 0, 0, 0)) << "after black";
     EXPECT_THAT(colorAt(brighterWithEachFrame(2), 8, 8), ElementsAre(128, 0, 0, 0));
-    EXPECT_THAT(colorAt(brighterWithEachFrame(3), 8, 8), ElementsAre(191, 0, 0, 0));
+    EXPECT_THAT(colorAt(brighterWithEachFrame(3), 8, 8), ElementsAre(192, 0, 0, 0));
 }
 
 // Texture 0 shows picture 1, texture 1 picture 2; the pass of picture 1 reads picture 2, which is drawn
@@ -128,10 +128,10 @@ TEST(DrawnPictures, AreDrawnInTheOrderOfTheirTextures) {
 TEST(DrawnPictures, ShowEarlierFramesAtEarlierTimes) {
     Scene scene = brighterWithEachFrame(2);
     scene.timeline.keys = {{0, "models[0].material.color", "0,0,0,1", Easing::Linear},
-                           {1.0F / 30, "models[0].material.color", "0.5,0,0,1", Easing::Linear}};
-    EXPECT_THAT(colorAt(scene, 8, 8, 1.0 / 30), ElementsAre(128, 0, 0, 0)) << "0, then 0.5";
-    EXPECT_THAT(colorAt(scene, 8, 8, 1.0 / 60), ElementsAre(64, 0, 0, 0)) << "0 at 0 s, then 0.25";
-    EXPECT_THAT(colorAt(scene, 8, 8, 2.0 / 30), ElementsAre(255, 0, 0, 0)) << "0.5 twice";
+                           {1.0F / 30, "models[0].material.color", "0.4,0,0,1", Easing::Linear}};
+    EXPECT_THAT(colorAt(scene, 8, 8, 1.0 / 30), ElementsAre(102, 0, 0, 0)) << "0, then 0.4";
+    EXPECT_THAT(colorAt(scene, 8, 8, 1.0 / 60), ElementsAre(51, 0, 0, 0)) << "0 at 0 s, then 0.2";
+    EXPECT_THAT(colorAt(scene, 8, 8, 2.0 / 30), ElementsAre(204, 0, 0, 0)) << "0.4 twice";
 }
 
 Result<Image> blue(const Scene&, const ImageSource&, double, int size) {

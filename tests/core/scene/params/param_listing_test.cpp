@@ -23,6 +23,7 @@ std::set<std::string> allPaths() {
     scene.textures.resize(1);
     scene.textures[0].levels.resize(1);
     scene.textures[0].preparation.resize(1);
+    scene.textures[0].subimages.resize(1);
     scene.passes[0].units[0].matrix.resize(1);
     scene.models[0].units[0].matrix.resize(1);
     scene.timeline.keys.resize(1);
@@ -113,11 +114,11 @@ TEST(ListParamsJson, HasShortNumbersAndTypedDefaults) {
               nlohmann::json({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}));
     EXPECT_EQ(find("passes[].models").at("default"), nlohmann::json::array());
     EXPECT_EQ(find("models[].material.ambient").at("default"), nlohmann::json({0.2, 0.2, 0.2, 1}));
-    EXPECT_EQ(json.at("lists").size(), 10U);
+    EXPECT_EQ(json.at("lists").size(), 11U);
     EXPECT_EQ(json.at("lists")[2].at("path"), "models[].units[].matrix[]");
-    EXPECT_EQ(json.at("lists")[9].at("path"), "timeline[]");
-    EXPECT_EQ(json.at("lists")[8].at("path"), "passes[].units[].matrix[]");
-    EXPECT_EQ(json.at("lists")[8].at("maxCount"), 32);
+    EXPECT_EQ(json.at("lists")[10].at("path"), "timeline[]");
+    EXPECT_EQ(json.at("lists")[9].at("path"), "passes[].units[].matrix[]");
+    EXPECT_EQ(json.at("lists")[9].at("maxCount"), 32);
 }
 
 TEST(ListParamsJson, NamesEveryKind) {
