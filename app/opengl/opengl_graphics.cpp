@@ -1,6 +1,7 @@
 #include "app/opengl/opengl_graphics.h"
 
 #include "app/render/capabilities.h"
+#include "app/render/cost_meter.h"
 
 #include <GL/glew.h>
 #include <backends/imgui_impl_opengl2.h>
@@ -67,6 +68,10 @@ Result<Image> OpenGlGraphics::read(RendererKind renderer, view::Side side) {
 view::PictureHandle OpenGlGraphics::showTexture(const Texture& texture, const ImageSource& images,
                                                 LevelsSource& levels) {
     return render::handleOf(preview_.show(texture, images, &levels));
+}
+
+std::unique_ptr<view::CostMeter> OpenGlGraphics::costMeter(view::CostSubject subject) {
+    return std::make_unique<render::CostMeter>(capabilities_, std::move(subject), view::costPairs);
 }
 
 } // namespace texplorer::opengl

@@ -29,6 +29,7 @@ public:
     [[nodiscard]] view::PictureHandle showTexture(const Texture& texture, const ImageSource& images,
                                                   LevelsSource& levels) override;
     [[nodiscard]] bool isUploading() const override { return preview_.isUploading(); }
+    [[nodiscard]] std::unique_ptr<view::CostMeter> costMeter(view::CostSubject subject) override;
 
 private:
     OpenGlGraphics(view::Capabilities capabilities, render::ShaderOptions shaders);

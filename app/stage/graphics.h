@@ -4,6 +4,7 @@
 #include "app/view/frame.h"
 #include "app/view/offered_renderers.h"
 #include "app/view/side.h"
+#include "app/view/texture_cost.h"
 #include "texplorer/base/result.h"
 #include "texplorer/image/image.h"
 #include "texplorer/scene/renderer.h"
@@ -55,6 +56,10 @@ public:
                                                           LevelsSource& levels) = 0;
     /// Whether `showTexture` continues in the next frame.
     [[nodiscard]] virtual bool isUploading() const = 0;
+    /// Measures what textures cost; nullptr: without fixed function it can't.
+    [[nodiscard]] virtual std::unique_ptr<view::CostMeter> costMeter(view::CostSubject /*subject*/) {
+        return nullptr;
+    }
     /// Frees what was not shown since the last call.
     virtual void endFrame() = 0;
 

@@ -15,6 +15,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -43,6 +44,23 @@ void writeCapture(ui::Session& session, Graphics& graphics, const ui::ViewFrame&
 }
 
 } // namespace
+
+/// Goes on measuring what textures cost, if the session wants it: little enough for the window to stay
+/// fluent.
+void measureCosts(ui::CostFigure& figure, Graphics& graphics, std::unique_ptr<view::CostMeter>& meter) {
+    constexpr std::chrono::milliseconds time(20);
+    figure.driver = graphics.capabilities().renderer;
+    if (!figure.subject) {
+        meter.reset();
+        return;
+    }
+    if (!meter)
+        meter = graphics.costMeter(*figure.subject);
+    if (!meter || !meter->measure(figure.costs, time)) {
+        meter.reset();
+        figure.subject.reset();
+    }
+}
 
 /// Dear ImGui with the host's graphics.
 class HostedPanels {
@@ -126,6 +144,7 @@ struct Stage::State {
     HostedPanels panels;
     ui::PanelStates states;
     std::vector<Sentence> problems;
+    std::unique_ptr<view::CostMeter> meter; ///< nullptr: nothing is measured
 };
 
 Stage::Stage(Graphics& graphics, float scale)
@@ -158,6 +177,7 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float sec
     const auto toPixels = [density](int length) {
         return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * density)));
     };
+    measureCosts(session.cost, graphics, state_->meter); // before drawing: the driver has nothing else to do
     const view::Size picture{toPixels(layout.picture.width), toPixels(layout.picture.height)};
     state_->frames.draw(session, picture);
     session.drawn = state_->frames.images();
@@ -190,7 +210,8 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float sec
                                               graphics.capabilities(), layout);
     ImGui::Render();
     const bool lacksLetters = state_->panels.lacksLetters(*ImGui::GetDrawData());
-    requests.unfinished |= lacksLetters || state_->frames.isUnfinished() || graphics.isUploading();
+    requests.unfinished |= lacksLetters || state_->frames.isUnfinished() || graphics.isUploading() ||
+                           session.cost.subject.has_value();
 
     graphics.drawPanels(*ImGui::GetDrawData(), surface.pixels, ui::panelGround());
     writeCapture(session, graphics, state_->frames.frames().front(), surface.pixels);

@@ -30,8 +30,8 @@ inline constexpr std::array<std::string_view, 10> lookTabs{
     "vertices", "levels", "commands", "glsl", "explain", "file", "memory", "a-b", "history", "timeline"};
 
 /// The values of Look::figure: the figures of the window's tab of that name.
-inline constexpr std::array<std::string_view, 8> lookFigures{"environments", "sheet",  "block", "flip",
-                                                             "objects",      "emboss", "edge",  "upload"};
+inline constexpr std::array<std::string_view, 9> lookFigures{
+    "environments", "sheet", "block", "flip", "objects", "emboss", "edge", "upload", "cost"};
 
 /// What the window shows for the step, with the names of texshot; empty members change nothing.
 struct Look {

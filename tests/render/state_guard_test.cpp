@@ -1,5 +1,6 @@
 // A caller that has everything set to something else gets the same picture, and finds its state as it was.
 
+#include "app/render/cost_meter.h"
 #include "app/render/gl_handle.h"
 #include "app/render/state_guard.h"
 #include "tests/support/flat_scene.h"
@@ -359,6 +360,19 @@ TEST_F(BorrowedState, IsReturned) {
     const Snapshot after = snapshot();
     for (const auto& [name, values] : before)
         EXPECT_EQ(after.at(name), values) << name;
+}
+
+TEST_F(BorrowedState, IsReturnedBetweenMeasurementsOfTheCost) {
+    const Caller caller;
+    const Snapshot before = snapshot();
+    CostMeter meter(capabilities, {}, 1);
+    view::TextureCosts costs;
+    while (meter.measure(costs, std::chrono::milliseconds(0))) {
+        const Snapshot after = snapshot();
+        for (const auto& [name, values] : before)
+            ASSERT_EQ(after.at(name), values) << name;
+    }
+    EXPECT_EQ(costs.front().times.b.size(), 1U);
 }
 
 TEST_F(BorrowedState, DoesNotReachThePicture) {

@@ -82,6 +82,70 @@ protected:
     int drawn = 0; ///< frames of the last run
 };
 
+/// Measures a pair with each call, and counts what there is.
+class CountingMeter final : public view::CostMeter {
+public:
+    CountingMeter(int calls, int& alive)
+        : calls_(calls)
+        , alive_(alive) {
+        ++alive_;
+    }
+    ~CountingMeter() override { --alive_; }
+    bool measure(view::TextureCosts& costs, std::chrono::milliseconds time) override {
+        EXPECT_LE(time, 50ms) << "the window stays fluent";
+        costs.front().times.b.push_back(1);
+        return --calls_ > 0;
+    }
+
+private:
+    int calls_;
+    int& alive_;
+};
+
+TEST_F(LoopTest, CostsAreMeasuredFrameByFrameAndThenItSleeps) {
+    start();
+    run();
+    int alive = 0;
+    graphics.meter = std::make_unique<CountingMeter>(20, alive);
+    session->cost.subject.emplace();
+    run({Refresh{}});
+    EXPECT_GE(drawn, 20);
+    EXPECT_EQ(session->cost.costs.front().times.b.size(), 20U);
+    EXPECT_EQ(alive, 0);
+    EXPECT_EQ(last.wake, std::nullopt);
+
+    graphics.meter = std::make_unique<CountingMeter>(20, alive);
+    session->cost.subject.emplace();
+    step({Refresh{}});
+    EXPECT_EQ(alive, 1);
+    EXPECT_TRUE(last.unfinished);
+    session->cost.subject.reset(); // Cancel
+    run();
+    EXPECT_EQ(alive, 0);
+    EXPECT_EQ(session->cost.costs.front().times.b.size(), 21U) << "what is measured stays";
+    EXPECT_EQ(last.wake, std::nullopt);
+}
+
+TEST_F(LoopTest, TheFigureOfCostsSleepsWithAndWithoutATexture) {
+    for (const bool textured : {true, false}) {
+        Scene scene = defaultScene();
+        if (!textured)
+            scene.textures.clear();
+        start(scene);
+        session->window.figure = ui::Figure::Cost;
+        session->window.wantedTab = ui::Tab::Figures;
+        run();
+        EXPECT_EQ(last.wake, std::nullopt);
+    }
+}
+
+TEST_F(LoopTest, AHostThatCannotMeasureEndsIt) {
+    start();
+    session->cost.subject.emplace();
+    run();
+    EXPECT_FALSE(session->cost.subject);
+}
+
 TEST_F(LoopTest, AWindowThatNobodyTouchesSleeps) {
     start();
     run();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace texplorer::stage {
@@ -51,6 +52,9 @@ public:
         return view::PictureHandle{2000};
     }
     bool isUploading() const override { return uploading; }
+    std::unique_ptr<view::CostMeter> costMeter(view::CostSubject /*subject*/) override {
+        return std::move(meter);
+    }
     void endFrame() override { ++frames; }
     void startPanels() override {
         unsigned char* alpha = nullptr;
@@ -82,6 +86,7 @@ public:
 
     view::Capabilities facts;
     view::OfferedRenderers offered;
+    std::unique_ptr<view::CostMeter> meter; ///< for the next one who asks
     std::vector<RendererKind> drawn;
     std::map<view::Side, Scene> drawnScenes; ///< the last ones
     std::map<std::shared_ptr<const Image>, Use> shown;

@@ -26,6 +26,8 @@ void drawFigure(const Session& session, FiguresTabState& state, const Pictures& 
         return drawEdgeLens(session, state.edge);
     case Figure::Upload:
         return drawUploadFigure(session, state.upload);
+    case Figure::Cost:
+        return drawCostFigure(session, state.cost);
     }
 }
 

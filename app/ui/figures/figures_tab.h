@@ -2,6 +2,7 @@
 
 #include "app/ui/figures/block_flip.h"
 #include "app/ui/figures/block_microscope.h"
+#include "app/ui/figures/cost_figure.h"
 #include "app/ui/figures/edge_lens.h"
 #include "app/ui/figures/emboss_theory.h"
 #include "app/ui/figures/environment_table.h"
@@ -21,6 +22,7 @@ struct FiguresTabState {
     EmbossTheoryState emboss;
     EdgeLensState edge;
     UploadFigureState upload;
+    CostFigureState cost;
 };
 
 /// Draws the names of all figures, and the selected one: WindowState::figure.

@@ -4,6 +4,7 @@
 #include "app/ui/model/requests.h"
 #include "app/ui/services/services.h"
 #include "app/ui/state/asking.h"
+#include "app/ui/state/cost_figure.h"
 #include "app/ui/state/document.h"
 #include "app/ui/state/look.h"
 #include "app/ui/state/recording_choice.h"
@@ -40,6 +41,7 @@ struct Session {
     Asking asking;
     std::optional<LessonRun> lesson; ///< nothing: none is open
     SheetChoice sheet;
+    CostFigure cost;
     RecordingChoice recording;
     TextureSaving saving; ///< its target is that of the selected unit
     WindowState window;

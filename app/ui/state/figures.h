@@ -9,7 +9,7 @@
 namespace texplorer::ui {
 
 /// Interactive figures that explain a topic next to the scene, all in one tab.
-enum class Figure { Environments, Sheet, Block, Flip, Objects, Emboss, Edge, Upload };
+enum class Figure { Environments, Sheet, Block, Flip, Objects, Emboss, Edge, Upload, Cost };
 
 struct FigureRow {
     Figure figure;
@@ -35,6 +35,10 @@ inline constexpr std::array figureRows{
               N_("Which texels are mixed across the edges of a texture, for each wrap mode and filter.")},
     FigureRow{Figure::Upload, "upload", N_("Upload"),
               N_("The bytes of the program's memory, and the texels that glTexImage makes of them.")},
+    FigureRow{
+        Figure::Cost, "cost", N_("Cost"),
+        N_("How long this driver takes for what the documents call slow or fast: measured in pairs, with "
+           "the spread.")},
 };
 
 [[nodiscard]] constexpr const FigureRow& rowOf(Figure figure) {

@@ -86,7 +86,7 @@ class Shot(Texshot):
             ("textures[7]", ["--set", "textures[7].minFilter=GL_NEAREST"]),
             ("one of lesson, vertices, levels, commands, glsl, explain, file, memory, a-b, history, figures, timeline, found \"bytes\"", ["--ui", "--tab", "bytes"]),
             ("--ui", ["--tab", "file"]),
-            ("one of environments, sheet, block, flip, objects, emboss, edge, upload, found \"bytes\"", ["--ui", "--figure", "bytes"]),
+            ("one of environments, sheet, block, flip, objects, emboss, edge, upload, cost, found \"bytes\"", ["--ui", "--figure", "bytes"]),
             ("--ui", ["--figure", "edge"]),
             ("one of essentials, texture, unit, combine, coordinates, matrix, pass, light, material, model, view, found \"lod\"",
              ["--ui", "--section", "lod"]),

@@ -26,7 +26,7 @@ struct Shown {
 TEST_F(FiguresTab, EachFitsWhateverRoomItHas) {
     for (const Shown& each :
          {Shown{Figure::Edge, "edge:lens"}, Shown{Figure::Upload, "upload:texels"},
-          Shown{Figure::Objects, "objects:gen"},
+          Shown{Figure::Objects, "objects:gen"}, Shown{Figure::Cost, "cost:measure"},
           Shown{Figure::Emboss, "emboss:heights", *exampleScene("nehe-bumps-2-units.json")}}) {
         for (const auto& [width, height, scale] :
              {std::tuple(1280, 800, 1.0F), {1024, 700, 1.5F}, {700, 500, 2.0F}}) {
