@@ -37,7 +37,7 @@ const std::vector<CommandGroup> groups{
     {"Compare", {addTest, addMerge, addCompare, addConform, addDiff}},
     {"Scenes", {addScene, addCheck, addParams, addPresets, addLessons, addSchema}},
     {"Images", {addInfo, addValidate, addDecode, addConvert, addFlip, addCompress}},
-    {"About", {addDrivers}},
+    {"About", {addDrivers, addCost}},
 };
 
 /// The command that a call names, as far as one sees before the line is understood; nullptr: none.

@@ -28,6 +28,7 @@ void addFlip(CommandLine& line);
 void addCompress(CommandLine& line);
 void addConform(CommandLine& line);
 void addConvert(CommandLine& line);
+void addCost(CommandLine& line);
 void addSchema(CommandLine& line);
 void addTexture(CommandLine& line);
 void addTest(CommandLine& line);

@@ -90,6 +90,7 @@ const std::vector<CommandExamples>& commandExamples() {
          {"texshot texture -o in.png", "texshot compress in.png out.dds --format dxt1 --report",
           "texshot compress in.png best.dds --format dxt5 --quality best --mips mitchell"}},
         {"drivers", {"texshot drivers", "texshot drivers --json --extensions"}},
+        {"cost", {"texshot cost", "texshot cost --example earth --pairs 40 --json"}},
         {"help", {"texshot help shot"}},
     };
     return rows;
@@ -187,6 +188,14 @@ const std::vector<CommandTable>& commandTables() {
           {{"context", "Its name, usable and, if it can't draw, error; driver, vendor, version, "
                        "shadingLanguage, profile, maxTextureSize, maxAnisotropy, s3tc, textureBorders, "
                        "extensionCount; with --extensions, extensions."}}}},
+        {"cost",
+         {"What --json prints",
+          {},
+          {{"driver, version, context", "The driver."},
+           {"rows",
+            "For each: row, label, claim; a and b, with label, seconds (low, median, high) and samples; ratio, "
+            "differs and verdict; or lack, why it can't be measured."},
+           {"limits", "What the numbers can't tell."}}}},
         {"conform",
          {"What --json prints",
           {},

@@ -5,6 +5,7 @@
 #include "app/offscreen/context.h"
 #include "app/opengl/opengl_graphics.h"
 #include "app/render/capabilities.h"
+#include "app/render/cost_meter.h"
 #include "app/render/driver_cache.h"
 #include "app/render/shader_folder.h"
 #include "app/render/shader_renderer.h"
@@ -212,6 +213,20 @@ public:
         return renderer->second.readTexture(texture, target).map([&](std::vector<TextureLevel>&& levels) {
             return ReadTexture{std::move(levels), *stored->second};
         });
+    }
+
+    Result<view::TextureCosts> measure(view::CostSubject subject, std::size_t pairs,
+                                       const LevelWork& work) override {
+        constexpr std::chrono::milliseconds step(100); // between two looks at the stop
+        render::CostMeter meter(capabilities_, std::move(subject), pairs);
+        view::TextureCosts costs;
+        while (meter.measure(costs, step)) {
+            if (work.stop.stop_requested())
+                return fail(ErrorCode::Cancelled, N_("cancelled"));
+            if (work.progress)
+                work.progress(static_cast<float>(progressOf(costs, pairs)));
+        }
+        return costs;
     }
 
 private:

@@ -14,6 +14,7 @@
 #include "app/view/pretence.h"
 #include "app/view/size.h"
 #include "app/view/stored_texture.h"
+#include "app/view/texture_cost.h"
 #include "texplorer/base/result.h"
 #include "texplorer/conform/pair.h"
 #include "texplorer/conform/renderer.h"
@@ -106,6 +107,9 @@ public:
     /// What the driver has of a texture of the scene that fixed function drew last. Fails if no unit showed
     /// it with this target.
     [[nodiscard]] virtual Result<ReadTexture> read(std::size_t texture, Target target) = 0;
+    /// Measures this many pairs of each row.
+    [[nodiscard]] virtual Result<view::TextureCosts> measure(view::CostSubject subject, std::size_t pairs,
+                                                             const LevelWork& work) = 0;
 };
 
 /// The module's entry points, found by these names.

@@ -127,7 +127,7 @@ class Calls(Texshot):
         calls = {
             "shot": (nowhere, "-o", self.path / "a.png"), "sweep": (nowhere, "--axis", "view.azimuth=0,1", "-o", self.path / "a.png"),
             "probe": (nowhere, "--at", "1,1"), "texture": (nowhere, "-o", self.path / "a.png"), "commands": (nowhere,),
-            "check": (nowhere,), "diff": (nowhere, nowhere), "scene": ("--diff", nowhere, nowhere), "info": (picture,),
+            "check": (nowhere,), "cost": (nowhere,), "diff": (nowhere, nowhere), "scene": ("--diff", nowhere, nowhere), "info": (picture,),
             "validate": (picture,), "compare": (picture, picture), "decode": (picture, self.path / "a.png"),
             "convert": (picture, self.path / "a.png"), "flip": (picture, self.path / "a.png"),
             "compress": (picture, self.path / "a.dds", "--format", "dxt1"), "lessons": ("--check", self.path / "nowhere"),
