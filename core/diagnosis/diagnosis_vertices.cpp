@@ -237,6 +237,34 @@ std::vector<Fix> coordFixes(const Scene& scene, const std::string& path, std::si
     return fixes;
 }
 
+/// As of an OBJ file without vt.
+void meshWithoutCoords(const Case& about, Report& report) {
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        const Model& model = about.scene.models[m];
+        if (model.shape != Shape::Mesh || model.mesh.positions.empty() || !model.mesh.texCoords.empty())
+            continue;
+        Fix fix{N_("Generate s and t"), {}};
+        bool reads = false;
+        forEachUnit(about.scene, [&](const Unit& unit, const std::string& path, std::size_t p) {
+            const auto u = static_cast<std::size_t>(&unit - about.scene.passes[p].units.data());
+            if (!unit.enabled || !model.texCoords[u].empty() || !takesGiven(about.scene, m, u))
+                return;
+            reads = true;
+            for (const std::string& key : {keyOf<&Unit::texGenS>(), keyOf<&Unit::texGenT>()}) {
+                const std::string own = path + key;
+                fix.assignments.push_back(
+                    {fmt::format("{}.{}", own, keyOf<&TexGen::mode>()), nameOf(TexGenMode::ObjectLinear)});
+                fix.assignments.push_back({fmt::format("{}.{}", own, keyOf<&TexGen::enabled>()), "true"});
+            }
+        });
+        if (reads)
+            report.add(fmt::format("{}.{}", elementOf<&Scene::models>(m),
+                                   pathOf<&Model::mesh, &MeshData::texCoords>()),
+                       N_("the mesh has no texture coordinates: all its vertices show the colour at (0, 0)"),
+                       std::move(fix));
+    }
+}
+
 /// Where it has key frames, their values are drawn, and no single value is a fix.
 void noTexCoord(const Case& about, Report& report) {
     for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
@@ -263,6 +291,7 @@ void noTexCoord(const Case& about, Report& report) {
 constexpr std::array vertexRuleRows{
     Rule{"zero-normal", Severity::Warning, zeroNormal},
     Rule{"no-tex-coord", Severity::Warning, noTexCoord},
+    Rule{"no-mesh-coords", Severity::Warning, meshWithoutCoords},
     Rule{"sphere-map-rim", Severity::Warning, sphereMapRim},
     Rule{"far-coordinates", Severity::Note, farCoordinates},
     Rule{"long-line", Severity::Note, longLines},

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <new>
 #include <set>
@@ -155,25 +156,36 @@ void whiten(const std::string& text, std::vector<tinyobj::material_t>& materials
     }
 }
 
+/// The path of an image that a library names.
+std::string besideLibrary(std::string library, std::string image) {
+    for (std::string* name : {&library, &image})
+        std::ranges::replace(*name, '\\', '/');
+    return (std::filesystem::path(library).parent_path() / image).generic_string();
+}
+
 /// The materials of all libraries that can be read.
 void readMaterials(const std::vector<std::string>& names, const ReadMaterials& read, Lines& lines,
                    std::vector<Sentence>& notes) {
-    std::string all;
     for (const std::string& name : names) {
-        if (const std::optional<std::string> text = read(name))
-            all.append(*text).append("\n");
-        else
+        const std::optional<std::string> text = read(name);
+        if (!text)
             notes.push_back(Sentence("the material library {0} can't be read: drawn without its materials",
                                      ProperName{name}));
+        if (!text || text->empty()) // of no text the parser makes a material
+            continue;
+        std::vector<tinyobj::material_t> materials;
+        std::istringstream stream(*text);
+        std::map<std::string, int> numbers;
+        std::string warning;
+        std::string error;
+        tinyobj::LoadMtl(&numbers, &materials, &stream, &warning, &error);
+        whiten(*text, materials);
+        for (tinyobj::material_t& material : materials) {
+            if (!material.diffuse_texname.empty())
+                material.diffuse_texname = besideLibrary(name, material.diffuse_texname);
+            lines.materials.push_back(std::move(material));
+        }
     }
-    if (all.empty()) // of no text the library makes a material
-        return;
-    std::istringstream stream(all);
-    std::map<std::string, int> numbers;
-    std::string warning;
-    std::string error;
-    tinyobj::LoadMtl(&numbers, &lines.materials, &stream, &warning, &error);
-    whiten(all, lines.materials);
 }
 
 ObjMaterial materialOf(const Lines& lines, const std::string& name) {
@@ -185,7 +197,6 @@ ObjMaterial materialOf(const Lines& lines, const std::string& name) {
     material.color = {share(found->diffuse[0]), share(found->diffuse[1]), share(found->diffuse[2]),
                       share(found->dissolve)};
     material.image = found->diffuse_texname;
-    std::ranges::replace(material.image, '\\', '/');
     return material;
 }
 

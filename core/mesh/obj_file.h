@@ -18,7 +18,9 @@ namespace texplorer {
 struct ObjMaterial {
     std::string name;
     glm::vec4 color{1}; ///< diffuse colour and opacity: Kd and d
-    std::string image;  ///< map_Kd, with / between folders, relative to the file; empty: none
+    /// map_Kd, with / between folders, relative to the OBJ file: in a library it is relative to the library's
+    /// folder. Empty: none.
+    std::string image;
 };
 
 /// The polygons of an object, or group, with one material.

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -151,6 +152,20 @@ Result<void> takeLine(int number, const std::string& line, ObjLines& lines) {
 }
 
 } // namespace
+
+bool beginsAsObj(ByteView file) {
+    constexpr std::array<std::string_view, 9> words{"v", "vt", "vn", "f", "o", "g", "s", "mtllib", "usemtl"};
+    constexpr std::size_t most = 4096;
+    std::string_view text(reinterpret_cast<const char*>(file.data()), std::min(file.size(), most));
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::vector<std::string_view> line = wordsOf(text.substr(0, end));
+        if (!line.empty() && !line.front().starts_with('#'))
+            return std::ranges::find(words, line.front()) != words.end();
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return false;
+}
 
 Result<ObjLines> checkedObjLines(ByteView file) {
     const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());

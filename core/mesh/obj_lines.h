@@ -18,6 +18,9 @@ struct ObjLines {
     std::vector<std::string> libraries; ///< the names after mtllib, each once
 };
 
+/// Whether the first line that says something is one of an OBJ file.
+[[nodiscard]] bool beginsAsObj(ByteView file);
+
 /// Errors: Malformed for a byte that no text has, a number that is none or not finite, and a polygon of fewer
 /// than three vertices; `where` is empty, the sentence names the line.
 [[nodiscard]] Result<ObjLines> checkedObjLines(ByteView file);

@@ -124,7 +124,7 @@ Result<Scene> opened(const fs::path& file) {
         return readText(file)
             .and_then([](const std::string& text) { return parseUnsaved(text); })
             .map([](const UnsavedScene& draft) { return draft.scene; });
-    return readSceneText(file).and_then([](const std::string& text) { return parseScene(text); });
+    return readSceneFile(file).and_then([](const SceneContent& read) { return parseScene(read.text); });
 }
 
 /// Whether a scene is drawn as in the picture, which must exist. The picture is never updated.

@@ -6,6 +6,8 @@
 #include "texplorer/codec/registry.h"
 #include "texplorer/files/descriptor.h"
 #include "texplorer/files/file_kind.h"
+#include "texplorer/mesh/obj_lines.h"
+#include "texplorer/scene/storage/obj_scene.h"
 
 #include <fmt/core.h>
 
@@ -38,6 +40,10 @@ Result<Bytes> readPipe(const std::string& path, std::size_t maxBytes, const IsWo
 bool isStandardInput(const std::string& path) {
     constexpr std::array<std::string_view, 4> names{"-", "/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"};
     return std::ranges::find(names, path) != names.end();
+}
+
+bool isObjInput(const std::string& path, ByteView file) {
+    return isStandardInput(path) ? beginsAsObj(file) : isObjName(path);
 }
 
 std::string inputName(const std::string& path) {

@@ -12,6 +12,9 @@ namespace texplorer::screenshot {
 /// Whether an argument names the program's own standard input: "-", or /dev/stdin.
 [[nodiscard]] bool isStandardInput(const std::string& path);
 
+/// Whether an input is an OBJ file, by its name, or on standard input by its content.
+[[nodiscard]] bool isObjInput(const std::string& path, ByteView file);
+
 /// How sentences call an input: by its path, or as standard input.
 [[nodiscard]] std::string inputName(const std::string& path);
 

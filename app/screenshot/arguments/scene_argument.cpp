@@ -12,7 +12,6 @@
 #include "texplorer/scene/params/param_listing.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/scene/params/params.h"
-#include "texplorer/scene/storage/obj_scene.h"
 #include "texplorer/scene/storage/scene_file.h"
 
 #include <fmt/format.h>
@@ -47,19 +46,20 @@ std::size_t maxBytesOf(const std::string& path) {
     return start ? maxSceneFileBytes(*start) : maxSceneBytes;
 }
 
-Result<std::string> readSceneInput(const std::string& path) {
-    if (isObjName(path)) {
-        if (const Result<ObjScene> read = readObjScene(path)) {
-            for (const Sentence& note : read->notes)
-                warn({ErrorCode::Unsupported, note, inFile(path)});
-        }
-        return readSceneText(path);
-    }
+Result<SceneContent> readSceneInput(const SceneArgument& argument) {
+    const std::string& path = argument.file;
     const Result<Bytes> file = readInput(path, maxBytesOf(path));
     if (!file)
         return fail(file.error());
-    Result<std::string> text = sceneTextIn(*file);
-    return text ? text : fail(text.error().code, text.error().message, inFile(inputName(path)));
+    Result<SceneContent> read =
+        isObjInput(path, *file)
+            ? sceneOfObj(*file, argument.path().parent_path())
+            : sceneTextIn(*file).map([](std::string&& text) { return SceneContent{std::move(text)}; });
+    if (!read)
+        return fail(inScene(argument, read.error()));
+    for (const Sentence& note : read->notes)
+        warn(inScene(argument, {ErrorCode::Unsupported, note, {}}));
+    return read;
 }
 
 Result<Scene> exampleNamed(const std::string& name) {
@@ -175,7 +175,7 @@ Result<lesson::LessonFolder> lessonFolder(const std::string& name) {
 const Option& addSceneArgument(Command& command, SceneArgument& argument, std::vector<std::string>* files) {
     constexpr const char* help =
         "A scene file (JSON), a PNG drawn by texshot, which contains its scene, or meshes in a file NAME.obj; - "
-        "for a scene on standard input. "
+        "for one of them on standard input. "
         "Default: Texplorer's start scene, a cube and a sphere.";
     const Option& file = files ? command.option("SCENE", *files, help + std::string(" There may be several."))
                                : command.option("SCENE", argument.file, help);
@@ -234,14 +234,13 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
         opened = *std::move(step);
     }
     if (!argument.file.empty()) {
-        const Result<std::string> text = readSceneInput(argument.file);
-        if (!text)
-            return tl::unexpected(SceneProblem{text.error(), failure});
-        Result<Scene> scene = parseScene(*text);
+        Result<SceneContent> read = readSceneInput(argument);
+        if (!read)
+            return tl::unexpected(SceneProblem{read.error(), failure});
+        Result<Scene> scene = parseScene(read->text);
         if (!scene)
             return tl::unexpected(SceneProblem{inScene(argument, scene.error()), failure});
-        opened.scene = *std::move(scene);
-        opened.images = ImageSource{argument.path().parent_path()};
+        opened = {*std::move(scene), ImageSource{argument.path().parent_path()}, std::move(read->libraries)};
     }
     for (const std::string& assignment : argument.assignments) {
         if (const auto assigned = assign(opened.scene, assignment); !assigned)
@@ -260,12 +259,8 @@ std::vector<std::string> filesOf(const SceneArgument& argument, const OpenedScen
         if (const Result<lesson::LessonFolder> folder = lessonFolder(argument.lesson))
             std::ranges::move(filesOfLesson(*folder), std::back_inserter(files));
     files.push_back(argument.file);
-    if (isObjName(argument.file)) {
-        if (const Result<ObjScene> read = readObjScene(argument.file)) {
-            for (const std::filesystem::path& library : read->libraries)
-                files.push_back(library.string());
-        }
-    }
+    for (const std::filesystem::path& library : opened.libraries)
+        files.push_back(library.string());
     return files;
 }
 

@@ -49,7 +49,8 @@ void addSceneOrLessonArgument(Command& command, SceneArgument& argument,
 
 struct OpenedScene {
     Scene scene;
-    ImageSource images; ///< nothing is loaded yet
+    ImageSource images;                             ///< nothing is loaded yet
+    std::vector<std::filesystem::path> libraries{}; ///< of an OBJ file's materials
 };
 
 /// Why a scene can't be opened, and the exit status that this leads to.

@@ -6,6 +6,7 @@
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/codec/registry.h"
 #include "texplorer/scene/params/json.h"
+#include "texplorer/scene/storage/obj_scene.h"
 #include "texplorer/suite/plan.h"
 #include "texplorer/suite/record_json.h"
 #include "texplorer/text/json_encoding.h"
@@ -29,7 +30,7 @@ constexpr std::size_t maxFaults = 100; // of a scene
 /// What a file is held to be, and what is wrong with it.
 struct Validity {
     std::string file;
-    std::string kind; ///< "PNG", "scene", "suite", "run", "output"; empty: it couldn't be told
+    std::string kind; ///< "PNG", "scene", "OBJ", "suite", "run", "output"; empty: it couldn't be told
     std::vector<Error> faults{};
     std::vector<Sentence> remarks{}; ///< what is right and Texplorer doesn't follow
     bool drawn = true;               ///< false: an image that isn't decoded
@@ -214,6 +215,18 @@ Validity validateOutput(const std::string& in, ByteView file) {
     return validity;
 }
 
+/// Standard input lies in the current folder.
+Validity validateObj(const std::string& in, ByteView file) {
+    Validity validity{in, "OBJ"};
+    const std::filesystem::path folder =
+        isStandardInput(in) ? std::filesystem::path() : std::filesystem::path(in).parent_path();
+    if (const Result<ObjScene> read = objSceneIn(file, folder))
+        validity.remarks = read->notes;
+    else
+        validity.faults.push_back(read.error());
+    return validity;
+}
+
 /// The keys of an object that is the whole text; what they have is passed over. Of
 /// what is longer than a scene may be, the first key: runs are.
 std::vector<std::string> topKeys(std::string_view text) {
@@ -243,7 +256,7 @@ bool beginsAsJson(ByteView file) {
 }
 
 /// By its content: an image, a scene, a suite, what a run wrote, or nothing that is known. A name that ends
-/// in .json promises a scene.
+/// in .json promises a scene, one in .obj meshes.
 Validity validate(const std::string& in, ByteView file) {
     if (recogniseImage(file) != nullptr)
         return validateImage(in, file);
@@ -256,6 +269,8 @@ Validity validate(const std::string& in, ByteView file) {
             return validateOutput(in, file);
         return has("run") || in.ends_with(".jsonl") ? validateRun(in, file) : validateScene(in, file);
     }
+    if (isObjInput(in, file))
+        return validateObj(in, file);
     const Error why = decodeTexture(file).error(); // its message has the known formats and what was found
     const std::vector<Sentence>& said = why.message.arguments();
     const Sentence message =
@@ -267,8 +282,8 @@ Validity validate(const std::string& in, ByteView file) {
 
 Validity validateFile(const std::string& in) {
     const Result<Bytes> file =
-        readInput(in, defaultMaxFileBytes, [head = ImageHead()](ByteView start) mutable {
-            return head(start) || beginsAsJson(start);
+        readInput(in, defaultMaxFileBytes, [&in, head = ImageHead()](ByteView start) mutable {
+            return head(start) || beginsAsJson(start) || isObjInput(in, start);
         });
     if (!file) {
         static_cast<void>(complain(file.error()));
@@ -336,10 +351,11 @@ void addValidate(CommandLine& line) {
     Command& command =
         line.command("validate", "Check image files, scenes and suites strictly against their formats.");
     auto options = std::make_shared<Options>();
-    command.option("FILE", options->files,
-                   "Images, scenes, suites and the run.json of reports, recognized by their content; - for "
-                   "standard input.",
-                   {.required = true});
+    command.option(
+        "FILE", options->files,
+        "Images, scenes, OBJ files, suites and the run.json of reports, recognized by their content; - for "
+        "standard input.",
+        {.required = true});
     command.flag("--json", options->json,
                  "As JSON, for programs: file, valid, kind, drawn, faults and remarks of each file.");
     command.footer(

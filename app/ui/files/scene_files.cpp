@@ -89,6 +89,8 @@ void takeScene(Load& load, const fs::path& path, SceneText read) {
     load.suggested = isSource ? fs::path(file).replace_extension(sceneExtension) : fs::path();
     load.scene = std::move(read.scene);
     load.fileHash = std::move(read.hash);
+    for (const Sentence& note : read.notes)
+        load.notes.push_back(describe({ErrorCode::Unsupported, note, inFile(file.filename().string())}));
     load.images = ImageSource(file.parent_path());
     load.goesOn = isObj; // without images that aren't there
 }
@@ -203,6 +205,8 @@ void showLoadedScene(Session& session, Load load) {
         document.needsFit = document.scene.view == defaultScene().view; // it shows the same as the picture
     document.suggested = std::move(load.suggested);
     replaceDocument(session, std::move(document));
+    if (!load.notes.empty())
+        say(session, Sentence::joined("{0}; {1}", load.notes));
 }
 
 void restoreUnsaved(Session& session, UnsavedScene draft) {

@@ -84,13 +84,13 @@ std::shared_ptr<const ChangedFile> changedFileOf(const Document& document, const
 } // namespace
 
 Result<SceneText> readScene(const fs::path& path) {
-    const Result<std::string> text = readSceneText(path);
-    if (!text)
-        return fail(text.error());
-    Result<Scene> scene = parseScene(*text);
+    Result<SceneContent> read = readSceneFile(path);
+    if (!read)
+        return fail(read.error());
+    Result<Scene> scene = parseScene(read->text);
     if (!scene)
         return fail(within(inFile(path.string()), scene.error()));
-    return SceneText{std::move(*scene), suite::hashOf(*text)};
+    return SceneText{std::move(*scene), suite::hashOf(read->text), std::move(read->notes)};
 }
 
 Result<Saving> saveScene(Session& session, const fs::path& path,

@@ -12,7 +12,8 @@ namespace texplorer::ui {
 /// A scene as the text of a file.
 struct SceneText {
     Scene scene{};
-    std::string hash{}; ///< of the text: Document::fileHash
+    std::string hash{};            ///< of the text: Document::fileHash
+    std::vector<Sentence> notes{}; ///< what of the file was left out
 };
 [[nodiscard]] Result<SceneText> readScene(const std::filesystem::path& path);
 

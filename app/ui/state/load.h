@@ -43,6 +43,7 @@ struct Load {
     std::string fileHash{};                                    ///< Scene: Document::fileHash
     bool reloads = false;              ///< Scene: the document's own file, which another program has written
     std::filesystem::path suggested{}; ///< Scene: Document::suggested of a scene without a file
+    std::vector<Sentence> notes{};     ///< Scene: what of its file was left out
 };
 
 } // namespace texplorer::ui

@@ -98,13 +98,10 @@ Scene sceneOf(const ObjFile& file) {
     return scene;
 }
 
-Result<ObjScene> readObjScene(const std::filesystem::path& file) {
-    const Result<Bytes> bytes = readFile(file, maxSceneBytes);
-    if (!bytes)
-        return fail(bytes.error());
+Result<ObjScene> objSceneIn(ByteView file, const std::filesystem::path& folder) {
     ObjScene read;
     const auto materials = [&](const std::string& name) -> std::optional<std::string> {
-        const std::filesystem::path library = file.parent_path() / name;
+        const std::filesystem::path library = folder / name;
         std::error_code ignored;
         if (!std::filesystem::is_regular_file(library, ignored)) // a pipe would be waited for
             return std::nullopt;
@@ -114,9 +111,9 @@ Result<ObjScene> readObjScene(const std::filesystem::path& file) {
         read.libraries.push_back(library);
         return *std::move(text);
     };
-    Result<ObjFile> decoded = decodeObj(*bytes, materials, maxModels);
+    Result<ObjFile> decoded = decodeObj(file, materials, maxModels);
     if (!decoded)
-        return fail(within(inFile(file.string()), decoded.error()));
+        return fail(decoded.error());
     read.scene = sceneOf(*decoded);
     read.notes = std::move(decoded->notes);
     return read;

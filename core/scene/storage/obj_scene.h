@@ -26,8 +26,7 @@ struct ObjScene {
     std::vector<std::filesystem::path> libraries; ///< of materials: those that were read
 };
 
-/// Reads an OBJ file and its material libraries, which are named relative to it. Errors: those of reading and
-/// of decodeObj(); TooLarge for a file of more than maxSceneBytes. `where` is the file.
-[[nodiscard]] Result<ObjScene> readObjScene(const std::filesystem::path& file);
+/// Decodes an OBJ file that lies in `folder`, and reads its material libraries. Errors: those of decodeObj().
+[[nodiscard]] Result<ObjScene> objSceneIn(ByteView file, const std::filesystem::path& folder);
 
 } // namespace texplorer

@@ -40,27 +40,29 @@ Result<std::string> sceneTextIn(ByteView file) {
         Sentence("expected a scene, found a PNG without a scene: it has no text \"{0}\"", sceneKeyword));
 }
 
-Result<std::string> readSceneText(const std::filesystem::path& file) {
-    if (isObjName(file)) {
-        const Result<ObjScene> read = readObjScene(file);
-        if (!read)
-            return fail(read.error());
-        std::string text = writeScene(read->scene);
-        if (text.size() > maxSceneBytes)
-            return fail(
-                ErrorCode::TooLarge,
-                Sentence("as a scene it takes {0} bytes; at most {1} are read", text.size(), maxSceneBytes),
-                inFile(file.string()));
-        return text;
-    }
+Result<SceneContent> sceneOfObj(ByteView file, const std::filesystem::path& folder) {
+    Result<ObjScene> read = objSceneIn(file, folder);
+    if (!read)
+        return fail(read.error());
+    std::string text = writeScene(read->scene);
+    if (text.size() > maxSceneBytes)
+        return fail(ErrorCode::TooLarge, Sentence("as a scene it takes {0} bytes; at most {1} are read",
+                                                  text.size(), maxSceneBytes));
+    return SceneContent{std::move(text), std::move(read->notes), std::move(read->libraries)};
+}
+
+Result<SceneContent> readSceneFile(const std::filesystem::path& file) {
+    const bool isObj = isObjName(file);
     const Result<Bytes> start = readFileStart(file, pngSignature.size());
     if (!start)
         return fail(start.error());
-    const Result<Bytes> bytes = readFile(file, maxSceneFileBytes(*start));
+    const Result<Bytes> bytes = readFile(file, isObj ? maxSceneBytes : maxSceneFileBytes(*start));
     if (!bytes)
         return fail(bytes.error());
-    Result<std::string> text = sceneTextIn(*bytes);
-    return text ? text : fail(text.error().code, text.error().message, inFile(file.string()));
+    Result<SceneContent> read =
+        isObj ? sceneOfObj(*bytes, file.parent_path())
+              : sceneTextIn(*bytes).map([](std::string&& text) { return SceneContent{std::move(text)}; });
+    return read ? std::move(read) : fail(within(inFile(file.string()), read.error()));
 }
 
 bool isPictureWithScene(const std::filesystem::path& path, std::size_t maxChunks) {

@@ -1,12 +1,14 @@
 #pragma once
 
-// Reads scenes from JSON files and from PNG files of texshot, which contain their scene as a text.
+// Reads scenes from JSON files, from PNG files of texshot, which contain their scene as a text, and from OBJ
+// files.
 
 #include "texplorer/base/bytes.h"
 #include "texplorer/base/result.h"
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace texplorer {
 
@@ -20,8 +22,20 @@ inline constexpr const char* sceneKeyword = N_("Texplorer scene");
 /// files. Errors: NotFound for a PNG without scene; Malformed, TooLarge. `where` is empty.
 [[nodiscard]] Result<std::string> sceneTextIn(ByteView file);
 
-/// The same for a file on disk, which is named in `where`; of an OBJ file the scene of its models.
-[[nodiscard]] Result<std::string> readSceneText(const std::filesystem::path& file);
+/// The JSON of a scene, and what else an OBJ file has.
+struct SceneContent {
+    std::string text;
+    std::vector<Sentence> notes{};                  ///< what was left out
+    std::vector<std::filesystem::path> libraries{}; ///< of materials: those that were read
+};
+
+/// Returns the scene of an OBJ file that lies in `folder`. Errors: those of decodeObj(); TooLarge for a scene
+/// that could not be read again.
+[[nodiscard]] Result<SceneContent> sceneOfObj(ByteView file, const std::filesystem::path& folder);
+
+/// Returns the content of a scene file on disk, which is named in `where`; of an OBJ file the scene of its
+/// models.
+[[nodiscard]] Result<SceneContent> readSceneFile(const std::filesystem::path& file);
 
 /// Whether a file is a PNG with a scene text, valid or not, among its first chunks. Reads little more than
 /// the heads of the chunks. False if it cannot be read.

@@ -105,6 +105,11 @@ constexpr std::array vertexRows{
             [](Subject& s) { s.driver.renderer = "softpipe"; }},
     Mistake{"MeshOfNothing", "empty-mesh", Warning, "models[0].shape", "has no vertices",
             [](Subject& s) { s.scene.models[0].shape = Shape::Mesh; }, [](Subject& s) { triangle(s); }},
+    Mistake{"MeshWithoutCoordinates", "no-mesh-coords", Warning, "models[0].mesh.texCoords", "at (0, 0)",
+            [](Subject& s) { triangle(s); },
+            [](Subject& s) {
+                s.scene.models[0].mesh.texCoords = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}};
+            }},
     Mistake{"MeshOfTwoVertices", "empty-mesh", Warning, "models[0].shape", "too few vertices",
             [](Subject& s) { triangle(s).positions.pop_back(); }, [](Subject& s) { triangle(s); }},
     Mistake{"WidthOfNoLines", "other-primitive", Unused, "models[0].lineWidth", "it has no lines",

@@ -126,6 +126,14 @@ class Validate(Texshot):
         # The drawn picture and the images of a scene are not checked.
         self.valid("scene", self.make("lost.json", b'{"version": 1, "textures": [{"source": "file", "file": "no.png"}]}'))
 
+    def test_meshes(self):
+        square = b"mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"
+        file = self.make("square.obj", square)
+        self.assertIn(": OBJ, valid: the material library gone.mtl can't be read: drawn without its materials",
+                      self.succeeds("validate", file).decode())
+        self.assertIn("standard input: OBJ, valid", texshot("validate", "-", input=square).stdout.decode())
+        self.faulty("OBJ, not valid: line 1: expected v from 1", self.make("wrong.obj", b"f 1 2 3\n"))
+
     def test_all_faults_of_a_scene_are_told(self):
         wrong = self.make("wrong.json", json.dumps({
             "version": 1, "view": {"distanc": 1, "target": [0, "x", 0]}, "textures": [{"wrapS": "GL_CLAMPED", "wrapT": 3}, {}],

@@ -49,6 +49,20 @@ TEST_F(SceneFiles, AnImageIsGivenATextureWhereThereIsNone) {
     EXPECT_TRUE(session.document.scene.passes[0].units[0].enabled);
 }
 
+TEST_F(SceneFiles, OfMeshesSaysWhatIsMissing) {
+    write(folder / "square.obj", "mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+    open(session, folder / "square.obj");
+    EXPECT_EQ(session.document.scene.models.size(), 1U);
+    EXPECT_EQ(session.look.notice.text.english(),
+              "square.obj: the material library gone.mtl can't be read: drawn without its materials");
+    write(folder / "gone.mtl", "newmtl wood\nmap_Kd gone.png\n");
+    write(folder / "wood.obj", "mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl wood\nf 1 2 3\n");
+    open(session, folder / "wood.obj");
+    EXPECT_TRUE(session.look.notice.text.empty());
+    ASSERT_EQ(session.asking.refused.size(), 1U);
+    EXPECT_THAT(describe(session.asking.refused[0]).english(), HasSubstr("gone.png"));
+}
+
 TEST_F(SceneFiles, ImagePathsFollowTheSceneFile) {
     write(folder / "pictures" / "red.bmp", red);
     importImage(session, folder / "pictures" / "red.bmp");

@@ -1,6 +1,7 @@
 #include "tests/support/temp_dir.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/files/file_io.h"
+#include "texplorer/mesh/obj_lines.h"
 #include "texplorer/scene/params/json.h"
 #include "texplorer/scene/storage/obj_scene.h"
 #include "texplorer/scene/storage/scene_file.h"
@@ -9,6 +10,7 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <span>
 
 namespace texplorer::obj_scene_test {
 namespace {
@@ -20,7 +22,7 @@ class ObjScene : public testing::Test {
 protected:
     void write(const char* name, const std::string& text) const { std::ofstream(dir / name) << text; }
     static Result<Scene> sceneIn(const std::filesystem::path& file) {
-        return readObjScene(file).map([](texplorer::ObjScene&& read) { return std::move(read.scene); });
+        return readSceneFile(file).and_then([](const SceneContent& read) { return parseScene(read.text); });
     }
     test::TempDir dir;
 };
@@ -46,6 +48,20 @@ TEST_F(ObjScene, HasAPassForEachImage) {
     EXPECT_EQ(scene->passes[1].units[0].texture, 1);
 }
 
+TEST_F(ObjScene, HasImagesBesideTheirLibrary) {
+    write("box.obj",
+          "mtllib parts/box.mtl\nmtllib plain.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl wood\nf 1 2 3\n"
+          "usemtl stone\nf 1 2 3\n");
+    std::filesystem::create_directory(dir / "parts");
+    write("parts/box.mtl", "newmtl wood\nmap_Kd images\\wood.png\n");
+    write("plain.mtl", "newmtl stone\nmap_Kd stone.png\n");
+    const Result<Scene> scene = sceneIn(dir / "box.obj");
+    ASSERT_TRUE(scene) << describe(scene.error());
+    ASSERT_EQ(scene->textures.size(), 2U);
+    EXPECT_EQ(scene->textures[0].file, "parts/images/wood.png");
+    EXPECT_EQ(scene->textures[1].file, "stone.png");
+}
+
 // The box from (100, 0, 0) to (104, 2, 0) has half a diagonal of the square root of 5.
 TEST_F(ObjScene, IsInTheMiddle) {
     write("box.obj", box);
@@ -55,13 +71,6 @@ TEST_F(ObjScene, IsInTheMiddle) {
     EXPECT_NEAR(positions[0].x, -4 / std::sqrt(5.0F), 1e-5F);
     EXPECT_NEAR(positions[0].y, -2 / std::sqrt(5.0F), 1e-5F);
     EXPECT_NEAR(glm::length(positions[2]), 2, 1e-5F);
-}
-
-TEST_F(ObjScene, IsASceneLikeThatOfAnyFile) {
-    write("Box.OBJ", box);
-    const Result<std::string> text = readSceneText(dir / "Box.OBJ");
-    ASSERT_TRUE(text) << describe(text.error());
-    EXPECT_EQ(parseScene(*text), sceneIn(dir / "Box.OBJ"));
 }
 
 TEST_F(ObjScene, WithMoreImagesThanPassesIsDrawnWithTheFirst) {
@@ -81,9 +90,9 @@ TEST_F(ObjScene, WithMoreImagesThanPassesIsDrawnWithTheFirst) {
 
 TEST_F(ObjScene, NamesItsLibraries) {
     write("box.obj", box);
-    EXPECT_EQ(readObjScene(dir / "box.obj")->notes.size(), 1U);
+    EXPECT_EQ(readSceneFile(dir / "box.obj")->notes.size(), 1U);
     write("box.mtl", "newmtl wood\nnewmtl stone\nnewmtl plain\n");
-    EXPECT_THAT(readObjScene(dir / "box.obj")->libraries, ElementsAre(dir / "box.mtl"));
+    EXPECT_THAT(readSceneFile(dir / "box.obj")->libraries, ElementsAre(dir / "box.mtl"));
 }
 
 TEST_F(ObjScene, ThatIsWrongNamesTheFile) {
@@ -92,7 +101,16 @@ TEST_F(ObjScene, ThatIsWrongNamesTheFile) {
     ASSERT_FALSE(scene);
     EXPECT_THAT(describe(scene.error()).english(),
                 testing::AllOf(HasSubstr("wrong.obj"), HasSubstr("line 2: expected v from 1 to 1, found 2")));
-    EXPECT_FALSE(readObjScene(dir / "gone.obj"));
+    EXPECT_FALSE(readSceneFile(dir / "gone.obj"));
+}
+
+TEST(ObjContent, BeginsWithOneOfItsWords) {
+    const auto begins = [](std::string_view text) { return beginsAsObj(std::as_bytes(std::span(text))); };
+    EXPECT_TRUE(begins("# a comment\n\n  mtllib x.mtl\n"));
+    EXPECT_TRUE(begins("v 0 0 0"));
+    EXPECT_FALSE(begins("version 1\nv 0 0 0\n"));
+    EXPECT_FALSE(begins("{\n"));
+    EXPECT_FALSE(begins("# only a comment"));
 }
 
 } // namespace

@@ -47,7 +47,7 @@ TEST(SceneFile, APictureWithASceneIsToldByItsChunks) {
     };
     const Bytes made = pngWith({{"Software", "x"}, {sceneKeyword, json}});
     EXPECT_TRUE(holds(made));
-    EXPECT_EQ(readSceneText(folder / "a").value(), json);
+    EXPECT_EQ(readSceneFile(folder / "a").value().text, json);
     EXPECT_TRUE(holds(pngWith({{sceneKeyword, writeScene(defaultScene())}})));
     EXPECT_FALSE(holds(pngWith({{"Software", sceneKeyword}, {"Texplorer scenes", json}})));
     EXPECT_FALSE(holds(viewBytes(json)));
@@ -72,7 +72,7 @@ TEST(SceneFile, TheTextMayComeLast) {
     EXPECT_TRUE(isPictureWithScene(folder / "late.png"));
     EXPECT_TRUE(isPictureWithScene(folder / "late.png", 3)); // IHDR, IDAT and the text
     EXPECT_FALSE(isPictureWithScene(folder / "late.png", 2));
-    EXPECT_EQ(readSceneText(folder / "late.png").value(), json);
+    EXPECT_EQ(readSceneFile(folder / "late.png").value().text, json);
 }
 
 } // namespace
