@@ -1,5 +1,6 @@
 #include "app/render/live_texture.h"
 
+#include "app/view/driver_facts.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/image/power_of_two.h"
 
@@ -101,9 +102,7 @@ void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const Prep
         errors.add(Sentence("{0}: {1}", ProperName{where}, note));
     if (capabilities) {
         const Surface& base = (*levels)->levels.front().surface;
-        const int limit = request.target == Target::Texture3D ? capabilities->max3DTextureSize
-                          : request.target == Target::CubeMap ? capabilities->maxCubeMapSize
-                                                              : capabilities->maxTextureSize;
+        const int limit = view::driverFacts(*capabilities).maxTexels(request.target);
         if (std::max({widthOf(base), heightOf(base), depthOf(base)}) - 2 * (*levels)->border > limit)
             return refuse(request, where,
                           Sentence("{0} texels exceed the driver's {1} for {2}",

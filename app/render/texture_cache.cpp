@@ -34,6 +34,8 @@ BoundTexture TextureCache::prepare(const TextureUse& use, Target target, const I
         return {};
     }
 
+    if (texture.oversize == Oversize::Smaller)
+        pictures.limits = TextureLimits::lower(pictures.limits, facts_.limits());
     LiveTexture& slot = slots_[{index, target}];
     const LevelsRequest request{std::move(pictures), imageSettings(texture), target};
     const bool wasThere = slot.shows(request);

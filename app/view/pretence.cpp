@@ -88,6 +88,19 @@ Capabilities Pretence::of(Capabilities driver) const {
     return driver;
 }
 
+DriverFacts Pretence::facts() const {
+    constexpr int anySize = DriverFacts{}.maxTextureSize;
+    return driverFacts(of({.maxTextureSize = anySize,
+                           .max3DTextureSize = anySize,
+                           .maxCubeMapSize = anySize,
+                           .textureUnits = maxUnits,
+                           .maxAnisotropy = DriverFacts{}.maxAnisotropy,
+                           .s3tc = true,
+                           .rgtc = true,
+                           .seamlessCubeMaps = true,
+                           .textureBorders = true}));
+}
+
 std::string Pretence::text() const {
     std::string text;
     for (const Lack& each : lacks_)

@@ -1,10 +1,11 @@
 #pragma once
 
 // A driver that is treated as if it lacked features: the option --pretend. The window then draws, reports and
-// fixes on new hardware what old hardware could not do. The reference draws as the specification says and
-// ignores it.
+// fixes on new hardware what old hardware could not do. The reference draws as the specification says, and
+// follows only the largest sizes of textures, where the scene asks for smaller levels.
 
 #include "app/view/capabilities.h"
+#include "app/view/driver_facts.h"
 #include "texplorer/base/result.h"
 
 #include <span>
@@ -35,6 +36,11 @@ public:
 
     /// The driver's capabilities with the limits applied.
     [[nodiscard]] Capabilities of(Capabilities driver) const;
+
+    /// A driver that lacks nothing else.
+    [[nodiscard]] DriverFacts facts() const;
+    /// Whether it concerns the reference, too: Oversize::Smaller.
+    [[nodiscard]] bool limitsTextures() const { return facts().limits() != TextureLimits{}; }
 
     /// In the format of parse(): "no-s3tc,units=2". Empty: nothing is pretended.
     [[nodiscard]] std::string text() const;

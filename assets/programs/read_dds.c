@@ -36,8 +36,9 @@ static void flipBlock(GLubyte *block, GLenum format, int rows)
     }
 }
 
-/* Uploads all levels of a DDS file of DXT1, DXT3 or DXT5. The file begins at the top: `flips` turns it around. */
-static void readDds(const char *path, int flips)
+/* Uploads the levels of a DDS file of DXT1, DXT3 or DXT5 from `first` on. The file begins at the top: `flips` turns
+ * it around. */
+static void readDds(const char *path, int flips, int first)
 {
     unsigned char header[128];
     FILE *file = fopen(path, "rb");
@@ -72,7 +73,8 @@ static void readDds(const char *path, int flips)
                 memcpy(other, kept, blockSize);
             }
         }
-        glCompressedTexImage2D(GL_TEXTURE_2D, level, format, width, height, 0, (GLsizei)size, blocks);
+        if (level >= first)
+            glCompressedTexImage2D(GL_TEXTURE_2D, level - first, format, width, height, 0, (GLsizei)size, blocks);
         free(blocks);
         width = width > 1 ? width / 2 : 1;
         height = height > 1 ? height / 2 : 1;

@@ -76,6 +76,8 @@ std::vector<TextureFacts> factsOf(const Scene& scene, const ImageSource& images,
         const Texture& texture = scene.textures[i];
         TextureFacts& facts = all[i];
         facts.pictures = images.picturesOf(texture);
+        if (texture.oversize == Oversize::Smaller)
+            facts.pictures.limits = TextureLimits::lower(facts.pictures.limits, driver.limits());
         facts.image = facts.pictures.base;
         if (facts.image && (facts.image->surfaces.empty() || byteCount(facts.image->surfaces.front()) == 0))
             facts.image = nullptr;

@@ -31,12 +31,11 @@ struct DriverFacts {
 
     bool operator==(const DriverFacts&) const = default;
 
-    /// The maximum number of texels of the base level along each axis.
-    [[nodiscard]] constexpr int maxTexels(Target target) const {
-        return target == Target::Texture3D ? max3DTextureSize
-               : target == Target::CubeMap ? maxCubeMapSize
-                                           : maxTextureSize;
+    [[nodiscard]] constexpr TextureLimits limits() const {
+        return {maxTextureSize, max3DTextureSize, maxCubeMapSize};
     }
+    /// The maximum number of texels of the base level along each axis.
+    [[nodiscard]] constexpr int maxTexels(Target target) const { return limits().of(target); }
 };
 
 enum class Severity : std::uint32_t { Error, Warning, Note, Hint, Unused };

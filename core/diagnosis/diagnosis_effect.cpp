@@ -129,6 +129,11 @@ Sentence noUpload(const Texture& texture, const TextureFacts& facts) {
                : "";
 }
 
+Sentence noFallback(const Texture& texture, const TextureFacts& /*facts*/) {
+    return texture.source == SourceKind::LightDepth ? N_("the driver copies the picture that the light sees")
+                                                    : "";
+}
+
 bool isDepthTexture(const Texture& texture) {
     return isDepth(texture.internalFormat);
 }
@@ -161,6 +166,7 @@ constexpr std::array settings{
     Setting{keyOf<&Texture::upload>, noUpload},
     Setting{keyOf<&Texture::internalFormat>, noInternalFormat},
     Setting{keyOf<&Texture::npot>, noScaling},
+    Setting{keyOf<&Texture::oversize>, noFallback},
     Setting{keyOf<&Texture::wrapT>, noWrapT},
     Setting{keyOf<&Texture::wrapS>, noWrapS},
     Setting{keyOf<&Texture::wrapR>, noWrapR},

@@ -35,18 +35,23 @@ void nonPowerOfTwo(const Case& about, Report& report) {
     });
 }
 
-/// Halves the image until it fits.
-std::vector<Fix> scaledDown(const Texture& texture, const PlannedLevel& base, int limit,
-                            const std::string& path) {
-    if (isDrawn(texture.source) || texture.preparation.size() >= maxImageSteps)
+/// Smaller levels where they are needed, or an image that is halved everywhere until it fits.
+std::vector<Fix> smaller(const Texture& texture, const PlannedLevel& base, int limit,
+                         const std::string& path) {
+    if (isDrawn(texture.source))
         return {};
+    std::vector<Fix> fixes{
+        {N_("Draw smaller levels"), {{path + keyOf<&Texture::oversize>(), nameOf(Oversize::Smaller)}}}};
+    if (texture.preparation.size() >= maxImageSteps)
+        return fixes;
     float share = 1;
     for (int extent = std::max({base.width, base.height, base.depth}); extent > limit; extent /= 2)
         share /= 2;
     const std::string step = path + elementOf<&Texture::preparation>(texture.preparation.size());
-    return {{N_("Scale it down"),
-             {newStep(path, ImageOp::Resize),
-              {fmt::format("{}.{}", step, keyOf<&ImageStep::share>()), formatNumber(share)}}}};
+    fixes.push_back({N_("Scale it down"),
+                     {newStep(path, ImageOp::Resize),
+                      {fmt::format("{}.{}", step, keyOf<&ImageStep::share>()), formatNumber(share)}}});
+    return fixes;
 }
 
 void sizeLimit(const Case& about, Report& report) {
@@ -61,7 +66,16 @@ void sizeLimit(const Case& about, Report& report) {
             report.add(path + imageKey(texture)(),
                        Sentence("{0} texels exceed the driver's {1} for {2}: drawn without it",
                                 ProperName{extentsOf(base)}, limit, named(each.target)),
-                       scaledDown(texture, base, limit, path));
+                       smaller(texture, base, limit, path));
+        }
+    });
+}
+
+void drawnSmaller(const Case& about, Report& report) {
+    forEachTexture(about, [&](const Texture&, const TextureFacts& facts, const std::string& path) {
+        for (const TargetFacts& each : facts.targets) {
+            if (!each.plan.fallback.empty())
+                report.add(path + keyOf<&Texture::oversize>(), each.plan.fallback);
         }
     });
 }
@@ -91,6 +105,7 @@ void levelSizeLimit(const Case& about, Report& report) {
 constexpr std::array sizeRuleRows{
     Rule{"size-limit", Severity::Error, sizeLimit, true},
     Rule{"level-size-limit", Severity::Error, levelSizeLimit},
+    Rule{"drawn-smaller", Severity::Note, drawnSmaller, true},
     Rule{"non-power-of-two", Severity::Warning, nonPowerOfTwo},
 };
 

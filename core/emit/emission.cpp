@@ -42,10 +42,11 @@ bool mayRead(const Texture& texture, const ImageSource& images, const ProgramOpt
 bool isTransferred(const Texture& texture, const TextureImage& image) {
     if (texture.preparation.size() != 1 || texture.preparation.front().op != ImageOp::Scale ||
         texture.transparency != Transparency::File || texture.border != 0 ||
-        texture.npot != NpotPolicy::Keep || isDepth(texture.internalFormat) ||
-        hasFewBits(texture.internalFormat) || texture.source == SourceKind::LightDepth ||
-        texture.compression == Compression::Driver || texture.compression == Compression::Cached ||
-        texture.upload.custom || !std::holds_alternative<Image>(image.surfaces.front()))
+        texture.npot != NpotPolicy::Keep || texture.oversize != Oversize::None ||
+        isDepth(texture.internalFormat) || hasFewBits(texture.internalFormat) ||
+        texture.source == SourceKind::LightDepth || texture.compression == Compression::Driver ||
+        texture.compression == Compression::Cached || texture.upload.custom ||
+        !std::holds_alternative<Image>(image.surfaces.front()))
         return false;
     const ImageStep& step = texture.preparation.front();
     const glm::vec4 white = step.factor + step.bias;

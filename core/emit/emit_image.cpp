@@ -45,9 +45,10 @@ public:
     void write() {
         if (code_.reader == FileReader::Dds) {
             emission_.use(CFunction::ReadDds);
-            return writer_.add({plain("readDds("), path(),
-                                plain(fmt::format(", {}); ", code_.flipsBlocks ? 1 : 0)),
-                                comment("every mip level")});
+            return writer_.add(
+                {plain("readDds("), path(),
+                 plain(fmt::format(", {}, {}); ", code_.flipsBlocks ? 1 : 0, code_.firstLevel)),
+                 comment(code_.firstLevel == 0 ? "every mip level" : "the smaller mip levels")});
         }
         const auto prepare = [&](bool isOver) {
             if (isTransferred_)

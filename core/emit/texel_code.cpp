@@ -127,19 +127,21 @@ public:
     }
 
 private:
-    /// Whether readDds() gives the same levels: all that the file has, whose blocks may be turned around
-    /// where that is done by whole blocks or in the only row of them.
+    /// Whether readDds() gives the same levels: those that the file has from a level on, whose blocks may be
+    /// turned around where that is done by whole blocks or in the only row of them.
     [[nodiscard]] bool isWhatTheFileHolds(const TextureLevels& levels) {
         if (target_ != Target::Texture2D || picture_.faces != 1 || levels.border != 0 ||
-            texture_.compression == Compression::Cached ||
-            std::cmp_not_equal(levels.levels.size(), picture_.levels))
+            texture_.compression == Compression::Cached || levels.levels.empty() ||
+            std::cmp_greater(levels.levels.size(), picture_.levels))
             return false;
+        out_.firstLevel = picture_.levels - static_cast<int>(levels.levels.size());
         out_.flipsBlocks = texture_.flip == FlipMode::Blocks;
         for (std::size_t i = 0; i < levels.levels.size(); ++i) {
             const auto* made = std::get_if<BlockImage>(&*levels.levels[i].surface);
-            const auto* held = std::get_if<BlockImage>(&picture_.surfaces.at(i));
+            const auto* held =
+                std::get_if<BlockImage>(&picture_.surface(0, out_.firstLevel + static_cast<int>(i)));
             if (!made || !held || levels.levels[i].number != static_cast<int>(i) ||
-                made->blocks.size() != held->blocks.size())
+                made->width != held->width || made->height != held->height)
                 return false;
             const bool turns = held->height <= 2 || held->height % 4 == 0;
             if (out_.flipsBlocks ? !turns || !picture_.fileTopFirst : made->blocks != held->blocks)

@@ -70,6 +70,7 @@ struct TextureCode {
     MipPolicy mipmaps = MipPolicy::Generated;
     FileReader reader = FileReader::None; ///< of the level with TexelSource::Read, or of all of a DDS file
     bool flipsBlocks = false;             ///< of a DDS file: its blocks are turned around when they are read
+    int firstLevel = 0;                   ///< of a DDS file: larger ones are left out
     std::optional<UploadCall> call{};     ///< of Memory
     reference::SampledTexture shape{};    ///< the extents of its levels
 };

@@ -243,6 +243,7 @@ struct Texture : SamplerState {
     bool mipGamma = false;
     float mipCoverage = 0; ///< above 0: an alpha test's reference, whose coverage generated levels keep
     NpotPolicy npot = NpotPolicy::Keep;
+    Oversize oversize = Oversize::None;
     float priority = 1;
     std::vector<GivenLevel> levels{};     ///< 1, 2, 3, …: for MipPolicy::Given
     std::vector<ImageStep> preparation{}; ///< in this order, before everything else except decoding

@@ -1,6 +1,6 @@
 #pragma once
 
-// Options for uploading a texture's image: flip and compression.
+// Options for uploading a texture's image: flip, compression, and what is uploaded if it is too large.
 
 #include "texplorer/gl/block_format.h"
 #include "texplorer/s3tc/encode_quality.h"
@@ -59,6 +59,17 @@ inline constexpr std::array compressedFormatRows{
     return static_cast<BlockFormat>(format);
 }
 
+/// What is uploaded of an image that is larger than the driver's limit for the target.
+enum class Oversize : std::uint32_t { None, Smaller };
+
+inline constexpr std::array oversizeRows{
+    row(Oversize::None, "none", "No image",
+        "As OpenGL: glTexImage fails with GL_INVALID_VALUE, and the texture is incomplete."),
+    row(Oversize::Smaller, "smaller", "Smaller levels",
+        "The levels of the file that are small enough. Without such levels, the image is halved until it "
+        "fits."),
+};
+
 template<>
 struct EnumTable<FlipMode> {
     static constexpr std::span<const EnumRow> rows = flipModeRows;
@@ -71,7 +82,12 @@ template<>
 struct EnumTable<CompressedFormat> {
     static constexpr std::span<const EnumRow> rows = compressedFormatRows;
 };
+template<>
+struct EnumTable<Oversize> {
+    static constexpr std::span<const EnumRow> rows = oversizeRows;
+};
 
-static_assert(flipModeRows.size() == 5 && compressionRows.size() == 4 && compressedFormatRows.size() == 4);
+static_assert(flipModeRows.size() == 5 && compressionRows.size() == 4 && compressedFormatRows.size() == 4 &&
+              oversizeRows.size() == 2);
 
 } // namespace texplorer

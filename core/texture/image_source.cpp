@@ -223,6 +223,8 @@ SharedImage ImageSource::find(const Texture& texture) const {
 
 TexturePictures ImageSource::picturesOf(const Texture& texture) const {
     TexturePictures pictures(find(texture));
+    if (texture.oversize == Oversize::Smaller)
+        pictures.limits = limits_;
     if (texture.mipmaps == MipPolicy::Given) {
         for (const GivenLevel& level : texture.levels)
             pictures.levels.push_back(find(level.source, level.pattern, level.file));

@@ -114,7 +114,11 @@ public:
         return names;
     }
 
-    /// Whether both have the same images; equal copies are different.
+    /// The limits of the driver that draws the textures, or that the reference draws like: they are part of
+    /// the pictures of each texture with Oversize::Smaller.
+    void setLimits(const TextureLimits& limits) { limits_ = limits; }
+
+    /// Whether both have the same images and limits; equal copies are different.
     bool operator==(const ImageSource&) const = default;
 
 private:
@@ -126,6 +130,7 @@ private:
     std::map<std::string, std::shared_ptr<const Bytes>> inMemory_;
     std::map<int, std::shared_ptr<const TextureImage>> lightDepths_; ///< by size
     std::map<PictureKey, std::shared_ptr<const TextureImage>> pictures_;
+    TextureLimits limits_;
 };
 
 /// Makes an image of what was drawn, bottom row first, for an image source: of depths, PixelFormat::Depth32,

@@ -43,7 +43,7 @@ bool LevelMaker::keepsBlocks() {
                       ProperName{rowOf(target_).name}));
         return false;
     }
-    if (cutsFaces(image_)) {
+    if (cutsFaces(*base_.image)) {
         note("cutting the faces of a cube map needs pixels: decompressed");
         return false;
     }
@@ -61,6 +61,10 @@ bool LevelMaker::keepsBlocks() {
         !arePowersOfTwo(widthOf(base()), heightOf(base()), depthOf(base()))) {
         note(Sentence("scaling {0} to powers of two needs pixels: decompressed",
                       ProperName{extentsOf(base())}));
+        return false;
+    }
+    if (halvings_ > 0) {
+        note("scaling the image down needs pixels: decompressed");
         return false;
     }
     if (texture_.transparency != Transparency::File) {

@@ -37,13 +37,16 @@ bool areDepths(const TextureImage& image) {
 
 Texture settingsFor(const Texture& texture, const TextureImage& image) {
     Texture settings = withGeneratedLevels(texture);
-    if (isDrawn(texture.source)) // the driver copies it
+    if (isDrawn(texture.source)) { // the driver copies it
         settings.upload = {};
+        settings.oversize = Oversize::None;
+    }
     if (!areDepths(image) || !isDepth(texture.internalFormat))
         return settings;
     if (texture.mipmaps != MipPolicy::FromFile)
         settings.mipmaps = MipPolicy::None;
     settings.npot = NpotPolicy::Keep;
+    settings.oversize = Oversize::None;
     settings.transparency = Transparency::File;
     settings.levels.clear();
     settings.preparation.clear();
@@ -54,28 +57,36 @@ bool holdsPicture(const TextureImage* image) {
     return image && !image->surfaces.empty() && byteCount(image->surfaces.front()) > 0;
 }
 
-/// How many levels of the base's file are taken.
-int LevelMaker::levelCount() const {
-    if (texture_.mipmaps != MipPolicy::FromFile)
-        return 1;
-    const PlannedLevel first = extentsOfPicture(basePicture());
-    const int full = mipLevelCount(first.width, first.height, first.depth);
-    return std::min(image_.levels, full);
+/// The levels of the scene's base image that a full chain has, the base first.
+std::vector<LevelPicture> LevelMaker::fileLevels() const {
+    const int full = mipLevelCount(whole_.width, whole_.height, whole_.depth);
+    std::vector<LevelPicture> levels;
+    for (int level = 0; level < std::min(image_.levels, full); ++level)
+        levels.push_back({level, &image_, texture_.source, level, level});
+    return levels;
+}
+
+/// The base and the levels that the scene gives, except those that are not loaded.
+std::vector<LevelPicture> LevelMaker::givenLevels() const {
+    std::vector<LevelPicture> levels{{0, &image_, texture_.source}};
+    for (std::size_t i = 0; i < texture_.levels.size(); ++i) {
+        const SourceKind source = texture_.levels[i].source;
+        const int number = static_cast<int>(i) + 1;
+        if (const TextureImage* image = pictures_.level(i); holdsPicture(image))
+            levels.push_back({number, image, source, 0, number, source == SourceKind::Pattern});
+    }
+    return levels;
 }
 
 /// Those of all levels that aren't made of others.
 std::vector<LevelPicture> LevelMaker::levelPictures() const {
-    std::vector<LevelPicture> pictures;
-    for (int level = 0; level < levelCount(); ++level)
-        pictures.push_back({level, &image_, texture_.source, level});
-    if (texture_.mipmaps != MipPolicy::Given)
-        return pictures;
-    for (std::size_t i = 0; i < texture_.levels.size(); ++i) {
-        const SourceKind source = texture_.levels[i].source;
-        if (const TextureImage* image = pictures_.level(i); holdsPicture(image))
-            pictures.push_back({static_cast<int>(i) + 1, image, source, 0, source == SourceKind::Pattern});
-    }
-    return pictures;
+    if (!hasPictures())
+        return {base_};
+    std::vector<LevelPicture> levels = texture_.mipmaps == MipPolicy::Given ? givenLevels() : fileLevels();
+    std::erase_if(levels, [this](const LevelPicture& each) { return each.place < base_.place; });
+    for (LevelPicture& level : levels)
+        level.number -= base_.place;
+    return levels;
 }
 
 /// The part of a picture after all steps; visit(part) after each.
@@ -88,11 +99,21 @@ Image LevelMaker::preparedPart(Image part, const LevelPicture& picture, int face
         Image other;
         if (from && hasPixels(*from))
             other = decoded(*from, face, 0, from->topFirst != topFirst);
-        const PlannedLevel level{picture.number, part.width, part.height, part.depth};
+        const PlannedLevel level{picture.place, part.width, part.height, part.depth};
         part = prepared(std::move(part), operationOf(step, level, topFirst, &other));
         visit(part);
     }
     return part;
+}
+
+/// The mip level that the texture's filter makes of a base that is too large.
+Image LevelMaker::halved(Image part) const {
+    const MipOptions options{texture_.mipFilter, texture_.mipGamma, NpotPolicy::Keep, texture_.mipCoverage};
+    const int axes = axesOf(target_);
+    MipChain chain = hasBorder() && hasBorderExtents(part, axes)
+                         ? applyMipPolicyWithBorder(MipPolicy::Generated, std::move(part), axes, options)
+                         : buildMipChain(std::move(part), options);
+    return std::move(chain[static_cast<std::size_t>(halvings_)]);
 }
 
 /// One face's part of a level for the target, the right way up.
@@ -109,13 +130,19 @@ Image LevelMaker::pixels(const LevelPicture& picture, int face) const {
     if (texture_.transparency != Transparency::File)
         part = applyTransparency(std::move(part), texture_.transparency, stencil(texture_));
     // A line is the middle row of the picture as it is uploaded: it is taken after the flip.
-    return target_ == Target::Texture1D ? imageForTarget(part, target_) : part;
+    if (target_ == Target::Texture1D)
+        part = imageForTarget(part, target_);
+    if (picture.fitted) {
+        const PlannedLevel fit = levelAbove(whole_, picture.place);
+        part = scaleByCoverage(part, fit.width, fit.height, fit.depth);
+    }
+    return picture.number == 0 && halvings_ > 0 ? halved(std::move(part)) : part;
 }
 
 void LevelMaker::eachStep(const std::function<void(const Image&)>& visit) const {
-    Image first = decoded(image_, 0, 0, turns(basePicture()));
+    Image first = decoded(*base_.image, 0, base_.fileLevel, turns(base_));
     visit(first);
-    static_cast<void>(preparedPart(std::move(first), basePicture(), 0, visit));
+    static_cast<void>(preparedPart(std::move(first), base_, 0, visit));
 }
 
 /// Whether `pixels` and a policy's base would be a copy and nothing else.
@@ -124,9 +151,9 @@ bool LevelMaker::isTakenAsItIs(const LevelPicture& picture, const Surface& surfa
     const bool whole = image && (image->depth == 1 || axesOf(target_) == 3) &&
                        (target_ != Target::Texture1D || image->height == 1) &&
                        (image->format != PixelFormat::Depth32 || isDepth(texture_.internalFormat));
-    return lends_ && whole && picture.image == &image_ && !picture.fitted && !turns(picture) &&
-           !cutsFaces(image_) && !hasBorder() && !prepares() && texture_.subimages.empty() &&
-           texture_.transparency == Transparency::File &&
+    return lends_ && halvings_ == 0 && whole && picture.image == &image_ && !picture.fitted &&
+           !turns(picture) && !cutsFaces(image_) && !hasBorder() && !prepares() &&
+           texture_.subimages.empty() && texture_.transparency == Transparency::File &&
            (texture_.npot != NpotPolicy::PowerOfTwo || texture_.mipmaps == MipPolicy::FromFile ||
             arePowersOfTwo(image->width, image->height, image->depth));
 }
@@ -145,10 +172,6 @@ void LevelMaker::takePicture(const LevelPicture& picture, int face) {
     Image image = pixels(picture, face);
     const bool repeatsEdges = texture_.mipmaps == MipPolicy::FromFile || picture.fitted ||
                               !hasBorderExtents(image, axesOf(target_));
-    if (picture.fitted) {
-        const PlannedLevel fit = levelAbove(extentsOfBase(), picture.number);
-        image = scaleByCoverage(image, fit.width, fit.height, fit.depth);
-    }
     if (hasBorder() && repeatsEdges)
         image = repeatEdges(image, axesOf(target_));
     out_.levels.push_back({picture.number, std::move(image), face});
@@ -166,11 +189,11 @@ Result<void> LevelMaker::takeMade(int face) {
         return takeMadeOfRead(face, options);
     MipChain chain;
     int number = 0;
-    if (const Surface& from = surface(image_, face, 0); isTakenAsItIs(basePicture(), from)) {
+    if (const Surface& from = surface(*base_.image, face, base_.fileLevel); isTakenAsItIs(base_, from)) {
         out_.levels.push_back({number++, lend(from), face});
         chain = mipLevelsAbove(texture_.mipmaps, std::get<Image>(from), options);
     } else {
-        Image made = pixels(basePicture(), face);
+        Image made = pixels(base_, face);
         if (readsFirst_ == ReadsFirst::ForDriver && hasSubimage(0, face)) {
             made = std::move(chainOf(MipPolicy::None, std::move(made), options).front());
             replaceIn(made, 0, face);
@@ -229,7 +252,7 @@ Result<void> LevelMaker::takePixels() {
 /// Each given level may name a picture as large as a file may be, and many textures may name the same one. A
 /// step may enlarge a volume's slices.
 Result<void> LevelMaker::checkRoom() const {
-    PlannedLevel level = fullExtentsOf(basePicture());
+    PlannedLevel level = fullExtentsOf(base_);
     for (std::size_t i = 0; i < texture_.preparation.size(); ++i) {
         level = resizedBy(texture_.preparation[i], level);
         const auto texels = static_cast<double>(level.width) * level.height * level.depth;
@@ -260,7 +283,8 @@ void LevelMaker::noteMissing() {
     const auto reason = [](const std::string& file) {
         return file.empty() ? Sentence("no file is chosen") : Sentence("{0} is not loaded", ProperName{file});
     };
-    for (std::size_t i = 0; i < texture_.levels.size() && texture_.mipmaps == MipPolicy::Given; ++i) {
+    const auto first = static_cast<std::size_t>(base_.place);
+    for (std::size_t i = first; i < texture_.levels.size() && texture_.mipmaps == MipPolicy::Given; ++i) {
         if (!holdsPicture(pictures_.level(i)))
             note(Sentence("levels[{0}]: {1}; uploaded without it", i, reason(texture_.levels[i].file)));
     }
@@ -308,14 +332,16 @@ Result<TextureLevels> LevelMaker::run() {
     if (isDepth(texture_.internalFormat) && !takesDepths(target_))
         return fail(ErrorCode::Unsupported,
                     Sentence("OpenGL has no depth textures for {0}", rowOf(target_).name));
-    if (image_.faces > 1 && !isCube())
-        note(Sentence("the file is a cube map of {0} faces; the first, +x, is drawn", image_.faces));
+    if (base_.image->faces > 1 && !isCube())
+        note(Sentence("the file is a cube map of {0} faces; the first, +x, is drawn", base_.image->faces));
     if (const Result<void> room = checkRoom(); !room)
         return fail(room.error());
     noteMissing();
-    out_.lateFlip = lateFlipOf(texture_, image_, target_);
+    if (!fallback_.empty())
+        note(fallback_);
+    out_.lateFlip = lateFlipOf(texture_, *base_.image, target_);
     if (texture_.mipmaps == MipPolicy::FromFile)
-        out_.lastLevel = levelCount() - 1;
+        out_.lastLevel = levelPictures().back().number;
 
     takesBlocks_ = keepsBlocks();
     if (takesBlocks_) {

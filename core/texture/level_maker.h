@@ -30,7 +30,8 @@ struct LevelPicture {
     int number = 0;                      ///< GL's
     const TextureImage* image = nullptr; ///< never null
     SourceKind source = SourceKind::Pattern;
-    int fileLevel = 0;   ///< the index of the image's level
+    int fileLevel = 0; ///< the index of the image's level
+    int place = 0; ///< the number that it has in the scene: more than `number` if larger ones are left out
     bool fitted = false; ///< scaled to the required size of the level
 };
 
@@ -47,7 +48,10 @@ public:
         , work_(work)
         , readsFirst_(isMadeByDriver(texture.mipmaps)     ? ReadsFirst::ForDriver
                       : texture.mipmaps == MipPolicy::Glu ? ReadsFirst::ForGlu
-                                                          : ReadsFirst::No) {}
+                                                          : ReadsFirst::No)
+        , base_{0, &image_, texture_.source} {
+        takeSmaller();
+    }
 
     Result<TextureLevels> run();
     [[nodiscard]] LevelPlan plan();
@@ -67,7 +71,7 @@ private:
         if (!fileOrder(picture.source))
             return isCube();
         const bool turnedLater = !isCube() && texture_.flip != FlipMode::None;
-        return turnedLater ? image_.fileTopFirst : picture.image->fileTopFirst;
+        return turnedLater ? base_.image->fileTopFirst : picture.image->fileTopFirst;
     }
     /// Whether the rows are reversed before the upload.
     [[nodiscard]] bool turns(const LevelPicture& picture) const {
@@ -93,8 +97,7 @@ private:
                texture_.mipmaps == MipPolicy::Missing;
     }
     [[nodiscard]] bool hasBorder() const { return texture_.border != 0; }
-    [[nodiscard]] const Surface& base() const { return image_.surface(0, 0); }
-    [[nodiscard]] LevelPicture basePicture() const { return {0, &image_, texture_.source}; }
+    [[nodiscard]] const Surface& base() const { return base_.image->surface(0, base_.fileLevel); }
     /// For a file without faces, all faces are the same.
     [[nodiscard]] static const Surface& surface(const TextureImage& image, int face, int level) {
         return image.surface(image.faces == cubeFaceCount ? face : 0, level);
@@ -120,12 +123,15 @@ private:
     };
 
     [[nodiscard]] LevelPlan planWithoutSubimages();
-    [[nodiscard]] int levelCount() const;
+    void takeSmaller();
+    [[nodiscard]] std::vector<LevelPicture> fileLevels() const;
+    [[nodiscard]] std::vector<LevelPicture> givenLevels() const;
     [[nodiscard]] std::vector<LevelPicture> levelPictures() const;
     [[nodiscard]] PlannedLevel fullExtentsOf(const LevelPicture& picture) const;
     [[nodiscard]] PlannedLevel extentsOfPicture(const LevelPicture& picture) const;
     [[nodiscard]] PlannedLevel withoutOwnBorder(PlannedLevel level) const;
     [[nodiscard]] PlannedLevel extentsOfBase() const;
+    [[nodiscard]] PlannedLevel drawnExtents() const;
     [[nodiscard]] bool keepsBlocks();
     [[nodiscard]] bool haveSameBlocks();
     [[nodiscard]] Result<void> takeBlocks();
@@ -133,6 +139,7 @@ private:
     template<class Visit>
     [[nodiscard]] Image preparedPart(Image part, const LevelPicture& picture, int face,
                                      const Visit& visit) const;
+    [[nodiscard]] Image halved(Image part) const;
     [[nodiscard]] Image pixels(const LevelPicture& picture, int face) const;
     [[nodiscard]] bool isTakenAsItIs(const LevelPicture& picture, const Surface& surface) const;
     [[nodiscard]] SharedSurface lend(const Surface& surface) const;
@@ -168,12 +175,16 @@ private:
 
     const Texture texture_;
     const TexturePictures& pictures_;
-    const TextureImage& image_; ///< of the base level
+    const TextureImage& image_; ///< of the base level in the scene
     bool lends_;
     Target target_;
     const LevelWork& work_;
     ReadsFirst readsFirst_;
     bool takesBlocks_ = false; ///< the levels are the file's blocks
+    LevelPicture base_;        ///< the one that is drawn
+    PlannedLevel whole_;       ///< the extents of the scene's base
+    int halvings_ = 0;         ///< of the base, until it is small enough
+    Sentence fallback_;        ///< why the base is not the scene's; empty: it is
     TextureLevels out_;
 };
 

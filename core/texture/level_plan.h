@@ -42,6 +42,8 @@ struct LevelPlan {
     /// Why OpenGL refuses the internal format or the border; empty: it doesn't. Otherwise there are no
     /// levels.
     Sentence refusal{};
+    Sentence
+        fallback{}; ///< what is drawn of an image that is too large (Oversize::Smaller); empty: all of it
 };
 
 /// The extents of a level above a base (OpenGL 2.1, section 3.8.8).

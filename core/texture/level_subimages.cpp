@@ -17,7 +17,7 @@ Image LevelMaker::subimageOf(std::size_t index) const {
     const TextureImage* image = pictures_.subimage(index);
     if (!holdsPicture(image) || !hasPixels(*image))
         return {};
-    Image part = decoded(*image, 0, 0, image->topFirst != isTopFirst(basePicture()));
+    Image part = decoded(*image, 0, 0, image->topFirst != isTopFirst(base_));
     if (target_ == Target::Texture1D)
         part = imageForTarget(part, target_);
     if (subimage.source == SourceKind::Pattern)

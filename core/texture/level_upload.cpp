@@ -44,7 +44,7 @@ PixelFormat LevelMaker::formatOfPixels() const {
 }
 
 MemoryLayout LevelMaker::memoryOfBase() const {
-    return memoryOf(texture_.upload, formatOfPixels(), image_.format);
+    return memoryOf(texture_.upload, formatOfPixels(), base_.image->format);
 }
 
 Result<void> LevelMaker::checkUpload() const {
@@ -73,8 +73,8 @@ Result<LevelMaker::Read> LevelMaker::readBack(const Image& image) const {
     if (needed > maxReadBytes)
         return fail(ErrorCode::TooLarge,
                     Sentence("the call would read {0} bytes; at most {1} are read", needed, maxReadBytes));
-    const MemoryLayout layout =
-        memoryOf(texture_.upload, image.format, image_.format); // steps may have added components
+    const MemoryLayout layout = memoryOf(texture_.upload, image.format,
+                                         base_.image->format); // steps may have added components
     Bytes memory = writePixels(image, layout.pixels, layout.alignment);
     const std::size_t held = memory.size();
     Image read = readPixels(memory, call, extent);
@@ -88,7 +88,7 @@ Result<void> LevelMaker::takeMadeOfRead(int face, const MipOptions& options) {
     MipOptions before = options; // GLU scales what it has read
     if (readsFirst_ == ReadsFirst::ForGlu)
         before.npot = NpotPolicy::Keep;
-    Result<Read> read = readBack(chainOf(MipPolicy::None, pixels(basePicture(), face), before).front());
+    Result<Read> read = readBack(chainOf(MipPolicy::None, pixels(base_, face), before).front());
     if (!read)
         return fail(read.error());
     if (readsFirst_ == ReadsFirst::ForDriver)

@@ -6,10 +6,12 @@
 #include "tests/support/flat_scene.h"
 #include "tests/support/render_fixture.h"
 #include "texplorer/compare/difference.h"
+#include "texplorer/reference/draw.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 
 namespace texplorer::pretence_test {
 namespace {
@@ -135,6 +137,15 @@ TEST(Pretence, IsInTheFactsOfTheDriver) {
             << word.text;
 }
 
+TEST(Pretence, AloneIsADriverThatLacksNothingElse) {
+    EXPECT_EQ(Pretence().facts(), DriverFacts());
+    EXPECT_FALSE(Pretence::parse({"no-s3tc"})->limitsTextures());
+    const Result<Pretence> small = Pretence::parse({"max-cube-map-size=16,units=2"});
+    EXPECT_TRUE(small->limitsTextures());
+    EXPECT_EQ(small->facts().maxCubeMapSize, 16);
+    EXPECT_EQ(small->facts().textureUnits, 2);
+}
+
 // --- What is drawn then
 
 class Pretending : public RenderTest {
@@ -194,6 +205,42 @@ TEST_F(Pretending, SmallTexturesRefusesTheOthersButNoPicture) {
     images.put("image", plainImage(32, 32, {255, 0, 0, 255}));
     EXPECT_TRUE(isColor(onlyColor(scene), {1, 0, 0, 1}));
     EXPECT_THAT(problems, IsEmpty());
+}
+
+TEST_F(Pretending, SmallTexturesDrawsSmallerLevelsLikeTheReference) {
+    TextureImage file;
+    file.format = "DDS";
+    file.levels = 3;
+    file.surfaces = {plainImage(64, 64, {255, 0, 0, 255}), plainImage(32, 32, {0, 255, 0, 255}),
+                     plainImage(16, 16, {0, 0, 255, 255})};
+    images.put("image", std::move(file));
+    Scene scene = texturedScene();
+    scene.textures[0].oversize = Oversize::Smaller;
+    struct Case {
+        const char* pretended;
+        std::array<float, 4> color;
+        Sentence note;
+    };
+    for (const Case& each : {Case{"max-texture-size=64", {1, 0, 0, 1}, {}},
+                             Case{"max-texture-size=63", {0, 1, 0, 1},
+                                  "textures[0]: 64 × 64 texels exceed the driver's 63 for GL_TEXTURE_2D: drawn "
+                                  "from level 1, which has 32 × 32"},
+                             Case{"max-texture-size=4", {0, 0, 1, 1},
+                                  "textures[0]: 64 × 64 texels exceed the driver's 4 for GL_TEXTURE_2D: scaled "
+                                  "down to 4 × 4"}}) {
+        SCOPED_TRACE(each.pretended);
+        const std::vector<Sentence> notes =
+            each.note.empty() ? std::vector<Sentence>() : std::vector{each.note};
+        pretend(each.pretended);
+        EXPECT_TRUE(isColor(onlyColor(scene), {each.color[0], each.color[1], each.color[2], 1}));
+        EXPECT_EQ(std::vector<Sentence>(problems.begin(), problems.end()), notes);
+        images.setLimits(Pretence::parse({each.pretended})->facts().limits());
+        const Result<Frame> frame = reference::drawReference({scene, images, 0, 8, 8});
+        ASSERT_TRUE(frame);
+        for (std::size_t i = 0; i < 4; ++i)
+            EXPECT_EQ(std::to_integer<int>(frame->image.at(4, 4)[i]), each.color.at(i) * 255);
+        EXPECT_EQ(frame->problems, notes);
+    }
 }
 
 TEST_F(Pretending, PowersOfTwoRefusesTheOthersUnlessTheyAreScaled) {

@@ -56,7 +56,8 @@ void noteRendererUse(const RendererArgument& argument, std::span<const RendererK
         noteUnused("--shaders", "it needs --renderer shader" + orElse);
     const bool asksOpenGl = std::ranges::any_of(
         renderers, [](RendererKind renderer) { return renderer != RendererKind::Reference; });
-    if (!argument.pretended.empty() && !asksOpenGl)
+    const Result<view::Pretence> pretence = view::Pretence::parse(argument.pretended);
+    if (!argument.pretended.empty() && !asksOpenGl && !(pretence && pretence->limitsTextures()))
         noteUnused("--pretend", "it concerns OpenGL's driver, which the reference doesn't use");
     if (argument.context.option->isGiven() && !asksOpenGl)
         noteUnused("--context", "it concerns OpenGL, which the reference doesn't use");

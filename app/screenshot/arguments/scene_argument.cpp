@@ -250,6 +250,7 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
         if (const auto applied = applyPresetNamed(opened.scene, preset); !applied)
             return tl::unexpected(SceneProblem{applied.error(), wrongCall});
     }
+    opened.images.setLimits(argument.limits);
     return opened;
 }
 

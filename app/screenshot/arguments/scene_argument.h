@@ -23,6 +23,7 @@ struct SceneArgument {
     std::size_t answer = 0;             ///< from 1, of the step's question; 0: what the step begins with
     bool reached = false;               ///< the scene of the picture that the step wants
     int units = maxUnits;               ///< how many texture units a step's scene may use
+    TextureLimits limits{};             ///< of the driver that a program is written for
 
     /// Where it lies; empty: nowhere, as the default scene, or one that came from standard input. The images
     /// that it names are looked for in the current folder then.

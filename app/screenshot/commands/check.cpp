@@ -1,6 +1,7 @@
 #include "app/screenshot/arguments/scene_argument.h"
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/json_text.h"
+#include "app/view/pretence.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/diagnosis/diagnosis.h"
 #include "texplorer/scene/initial_like.h"
@@ -18,6 +19,7 @@ namespace {
 
 struct Options {
     SceneArgument scene;
+    std::vector<std::string> pretended;
     bool json = false;
 };
 
@@ -118,12 +120,16 @@ std::string asJson(const std::vector<Finding>& findings, const std::vector<Note>
 }
 
 ExitCode check(const Options& options) {
+    const Result<view::Pretence> pretence = view::Pretence::parse(options.pretended);
+    if (!pretence)
+        return complain(pretence.error(), wrongCall);
     auto opened = openScene(options.scene);
     if (!opened)
         return complain(opened.error().error, opened.error().code);
     const Decoding decoding = looksAtTexels(opened->scene) ? Decoding::Pixels : Decoding::Outline;
     const std::vector<Error> reasons = opened->images.loadAll(opened->scene, decoding);
-    std::vector<Finding> findings = worthSaying(diagnose(opened->scene, opened->images), opened->scene);
+    std::vector<Finding> findings =
+        worthSaying(diagnose(opened->scene, opened->images, pretence->facts()), opened->scene);
     for (const Error& reason : reasons) {
         for (Finding& each : findings) {
             if (reason.where.steps().front().text == each.path)
@@ -146,6 +152,8 @@ void addCheck(CommandLine& line) {
                                              "in a scene.");
     auto options = std::make_shared<Options>();
     addSceneOrLessonArgument(command, options->scene);
+    command.option("--pretend", options->pretended, view::pretenceHelp(),
+                   {.value = "WORDS", .oneEach = true, .offers = {view::pretenceWords, true}});
     command.flag("--json", options->json,
                  "As JSON, for programs: severity, rule, path, message and fixes of each finding.");
     command.footer(
@@ -154,7 +162,7 @@ void addCheck(CommandLine& line) {
         "blends or tests alpha.\n"
         "Settings without effect are listed if they differ from the initial values of OpenGL and "
         "Texplorer.\n"
-        "The driver is not used: \"texshot shot\" reports what it lacks.\n"
+        "The driver is not used, only what --pretend takes away: \"texshot shot\" reports what it lacks.\n"
         "Exit status: 0 there is no error and no warning, 1 there is one or the scene can't be read, 2 "
         "invalid arguments.");
     command.onCall([options] { return check(*options); });

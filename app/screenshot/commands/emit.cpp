@@ -1,11 +1,13 @@
 // A scene as a program.
 
 #include "app/command_line/choice_argument.h"
+#include "app/screenshot/arguments/option_use.h"
 #include "app/screenshot/arguments/outputs_apart.h"
 #include "app/screenshot/commands/all_commands.h"
 #include "app/screenshot/output/interrupts.h"
 #include "app/screenshot/output/output.h"
 #include "app/screenshot/reports/program_text.h"
+#include "app/view/pretence.h"
 #include "texplorer/files/file_io.h"
 
 #include <algorithm>
@@ -19,6 +21,7 @@ namespace {
 
 struct EmitOptions {
     SceneArgument scene;
+    std::vector<std::string> pretended;
     std::string out = "-";
     std::string flavour{rowOf(emit::Flavour::Fixed).name};
     std::string loader{rowOf(emit::Loader::Prototypes).name};
@@ -109,6 +112,13 @@ ExitCode emitProgram(const EmitOptions& options) {
     const Result<emit::Loader> loader = parseChoice<emit::Loader>(options.loader, "--loader");
     if (!loader)
         return complain(loader.error(), wrongCall);
+    const Result<view::Pretence> pretence = view::Pretence::parse(options.pretended);
+    if (!pretence)
+        return complain(pretence.error(), wrongCall);
+    if (!options.pretended.empty() && !pretence->limitsTextures())
+        noteUnused("--pretend", "of the driver only the largest sizes of textures concern a program");
+    SceneArgument scene = options.scene;
+    scene.limits = pretence->facts().limits();
     if (const Result<void> possible = checkFilesBeside(options); !possible)
         return complain(possible.error(), wrongCall);
     const Result<Output> out = Output::open(options.out);
@@ -120,8 +130,8 @@ ExitCode emitProgram(const EmitOptions& options) {
     asked.selfContained = options.selfContained;
     if (!isStandardOutput(options.out))
         asked.source = options.out;
-    auto program = programOf(options.scene, *flavour, asked,
-                             options.files ? FilePlaces::Beside : FilePlaces::WhereTheyAre);
+    auto program =
+        programOf(scene, *flavour, asked, options.files ? FilePlaces::Beside : FilePlaces::WhereTheyAre);
     if (!program)
         return complain(program.error().error, program.error().code);
     if (const Result<void> apart =
@@ -154,6 +164,10 @@ void addEmit(CommandLine& line) {
                  "Default: their texels are part of the program.");
     command.flag("--self-contained", options->selfContained,
                  "Draw round shapes and make mipmaps with the program's own code, without GLU.");
+    command.option("--pretend", options->pretended,
+                   "Write the program for a driver with smaller textures: max-texture-size=N, "
+                   "max-3d-texture-size=N or max-cube-map-size=N, where the scene asks for smaller levels.",
+                   {.value = "WORDS", .oneEach = true, .offers = {view::pretenceWords, true}});
     command.option("--loader", options->loader,
                    "Where the functions of OpenGL after 1.1 come from." + explainChoices<emit::Loader>(),
                    {.value = "LOADER", .showsDefault = true, .offers = {choiceNames<emit::Loader>}});

@@ -140,7 +140,8 @@ ExitCode probe(const ProbeOptions& options) {
     const Result<view::Pretence> pretence = view::Pretence::parse(options.pretended);
     if (!pretence)
         return complain(pretence.error(), wrongCall);
-    if (!options.pretended.empty() && (options.withoutGl || options.at.empty()))
+    if (!options.pretended.empty() && !pretence->limitsTextures() &&
+        (options.withoutGl || options.at.empty()))
         noteUnused("--pretend", "it concerns the driver, which only --at without --no-gl uses");
     const Result<view::ContextChoice> context = parseContext(options.context);
     if (!context)

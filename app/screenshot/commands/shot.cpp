@@ -88,11 +88,8 @@ void noteMetadata(const ShotOptions& options, const CodecRow& format) {
 SceneArgument sceneFor(const ShotOptions& options, const ShotRequest& request, const std::string& file) {
     SceneArgument argument = options.scene;
     argument.file = file;
-    if (request.window || request.renderer != RendererKind::Reference) {
-        view::Capabilities driver;
-        driver.textureUnits = maxUnits;
-        argument.units = request.pretence.of(std::move(driver)).textureUnits;
-    }
+    if (request.window || request.renderer != RendererKind::Reference)
+        argument.units = request.pretence.facts().textureUnits;
     return argument;
 }
 

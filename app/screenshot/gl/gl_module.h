@@ -67,9 +67,15 @@ struct ShotRequest {
     float scale = 1;               ///< of the window's text and lengths
     view::ContextChoice context{}; ///< where OpenGL draws
 
+    /// With the limits that are pretended, for all renderers.
+    [[nodiscard]] ImageSource limitedImages() const {
+        ImageSource limited = images;
+        limited.setLimits(pretence.facts().limits());
+        return limited;
+    }
     /// Of the reference.
     [[nodiscard]] reference::DrawRequest drawRequest() const {
-        return {scene, images, time, size.width, size.height, anisotropy, rho};
+        return {scene, limitedImages(), time, size.width, size.height, anisotropy, rho};
     }
 };
 

@@ -212,7 +212,7 @@ std::vector<Error> warningsAbout(const ShotRequest& request, const Shot& shot) {
     for (const std::string& problem : shot.frame.problems)
         errors.push_back({ErrorCode::Driver, problem, {}});
     const StandingScene standing(request.scene, request.time);
-    for (const Finding& each : diagnose(*standing, request.images, shot.driver.facts)) {
+    for (const Finding& each : diagnose(*standing, request.limitedImages(), shot.driver.facts)) {
         if (each.severity <= Severity::Warning && !each.reportedByRenderer) // else it is a problem already
             errors.push_back({ErrorCode::Malformed, each.sentence, each.path});
     }

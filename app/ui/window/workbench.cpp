@@ -170,6 +170,7 @@ void followDocument(Session& session, PanelStates& states, const Pictures& pictu
     if (std::exchange(states.documents, session.documents) != session.documents)
         forgetDocument(states);
     session.look.explaining.isOpen = isShown(session.settings.workspace, Tab::Explain);
+    session.document.images.setLimits(view::driverFacts(capabilities).limits());
     diagnoseSession(session, factsFor(session, capabilities));
     followForced(session);
     if (isShown(session.settings.workspace, Tab::File))

@@ -97,6 +97,9 @@ constexpr std::array textureRows{
                                  "and white then give 188, not 128.")),
     param<&Texture::npot>("npot", N_("Mipmaps"), N_("Non-power-of-two"), "",
                           N_("What is done with a size that is not a power of two before levels are made.")),
+    param<&Texture::oversize>("oversize", N_("Mipmaps"), N_("Too large"), "",
+                              N_("What is uploaded of an image that is larger than the driver's largest "
+                                 "texture: nothing, or less of it.")),
     param<&Texture::baseLevel>(
         "baseLevel", N_("Mipmaps"), N_("Base level"), "glTexParameteri({target}, GL_TEXTURE_BASE_LEVEL, {})",
         N_("The largest mip level that is used; 0 is the image itself."), {0, 1000, 0.05F, {}}),
@@ -144,7 +147,7 @@ constexpr std::array textureRows{
         N_("How important it is to keep the texture in fast memory. It changes no pixel."),
         {0, 1, 0.005F, {}}),
 };
-static_assert(textureRows.size() == 37);
+static_assert(textureRows.size() == 38);
 
 constexpr ParamRow pictureSource(ParamRow row) {
     row.choices = pictureSourceRows;

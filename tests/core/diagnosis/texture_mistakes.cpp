@@ -119,6 +119,19 @@ constexpr std::array textureRows{
                 s.driver.maxTextureSize = 31;
                 s.showFile(64, 2);
             }},
+    Mistake{"TooLargeUnlessSmallerLevelsAreDrawn", "size-limit", Error, "textures[0].file", "64 × 2 texels",
+            [](Subject& s) {
+                s.driver.maxTextureSize = 31;
+                s.showFile(64, 2);
+            },
+            [](Subject& s) { s.texture().oversize = Oversize::Smaller; }},
+    Mistake{"DrawnSmaller", "drawn-smaller", Note, "textures[0].oversize", "scaled down to 16 × 1",
+            [](Subject& s) {
+                s.driver.maxTextureSize = 31;
+                s.showFile(64, 2);
+                s.texture().oversize = Oversize::Smaller;
+            },
+            [](Subject& s) { s.driver.maxTextureSize = 64; }},
     Mistake{"LevelTooLarge", "level-size-limit", Error, "textures[0].levels[1]",
             "64 × 2 texels exceed the driver's 32 for level 2",
             [](Subject& s) {

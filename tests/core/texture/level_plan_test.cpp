@@ -27,6 +27,30 @@ TextureImage imageOf(int width, int height, int depth, int levels, bool blocks) 
     return texture;
 }
 
+void expectAgreement(const Texture& texture, const TexturePictures& pictures, Target target) {
+    const LevelPlan plan = planLevels(texture, pictures, target);
+    const Result<TextureLevels> made = prepareLevels(texture, pictures, target);
+    ASSERT_TRUE(made) << describe(made.error());
+    std::vector<PlannedLevel> levels;
+    std::optional<BlockFormat> blocks = made->driverFormat;
+    for (const TextureLevel& each : made->levels) {
+        if (each.face != 0)
+            continue; // the others are like it
+        const Surface& surface = each.surface;
+        const int axes = axesOf(target);
+        const int both = 2 * made->border;
+        levels.push_back({each.number, widthOf(surface) - both, heightOf(surface) - (axes > 1 ? both : 0),
+                          depthOf(surface) - (axes > 2 ? both : 0)});
+        if (const auto* kept = std::get_if<BlockImage>(&surface))
+            blocks = kept->format;
+    }
+    EXPECT_EQ(plan.levels, levels) << rowOf(texture.mipmaps).name << " " << rowOf(texture.npot).name << " "
+                                   << rowOf(target).name << " " << texture.border;
+    EXPECT_EQ(plan.blocks, blocks) << rowOf(texture.mipmaps).name << " " << rowOf(texture.flip).name;
+    EXPECT_EQ(plan.lastLevel, made->lastLevel);
+    EXPECT_EQ(plan.border, made->border);
+}
+
 TEST(LevelPlan, AgreesWithTheLevelsThatAreMade) {
     int compared = 0;
     std::vector<std::pair<Target, int>> targets; // with and without a border
@@ -41,7 +65,8 @@ TEST(LevelPlan, AgreesWithTheLevelsThatAreMade) {
           imageOf(1, 1, 1, 1, false), imageOf(16, 8, 1, 3, true), imageOf(12, 6, 1, 1, true),
           imageOf(10, 6, 1, 1, false), imageOf(6, 6, 3, 1, false), imageOf(24, 18, 1, 4, false),
           imageOf(4, 24, 1, 1, true)}) {
-        const TexturePictures shared(std::make_shared<const TextureImage>(image));
+        TexturePictures shared(std::make_shared<const TextureImage>(image));
+        shared.limits = {5, 3, 4};
         for (const std::vector<ImageStep>& steps : preparations)
             for (const EnumRow& mipmaps : mipPolicyRows)
                 for (const EnumRow& npot : npotPolicyRows)
@@ -55,32 +80,14 @@ TEST(LevelPlan, AgreesWithTheLevelsThatAreMade) {
                                 texture.npot = static_cast<NpotPolicy>(npot.value);
                                 texture.compression = static_cast<Compression>(compression.value);
                                 texture.flip = static_cast<FlipMode>(flip.value);
-                                const LevelPlan plan = planLevels(texture, shared, target);
-                                const Result<TextureLevels> made = prepareLevels(texture, shared, target);
-                                ASSERT_TRUE(made) << describe(made.error());
-                                std::vector<PlannedLevel> levels;
-                                std::optional<BlockFormat> blocks = made->driverFormat;
-                                for (const TextureLevel& each : made->levels) {
-                                    if (each.face != 0)
-                                        continue; // the others are like it
-                                    const Surface& surface = each.surface;
-                                    const int axes = axesOf(target);
-                                    const int both = 2 * made->border;
-                                    levels.push_back({each.number, widthOf(surface) - both,
-                                                      heightOf(surface) - (axes > 1 ? both : 0),
-                                                      depthOf(surface) - (axes > 2 ? both : 0)});
-                                    if (const auto* kept = std::get_if<BlockImage>(&surface))
-                                        blocks = kept->format;
+                                for (const EnumRow& oversize : oversizeRows) {
+                                    texture.oversize = static_cast<Oversize>(oversize.value);
+                                    expectAgreement(texture, shared, target);
+                                    ++compared;
                                 }
-                                EXPECT_EQ(plan.levels, levels) << mipmaps.name << " " << npot.name << " "
-                                                               << rowOf(target).name << " " << border;
-                                EXPECT_EQ(plan.blocks, blocks) << mipmaps.name << " " << flip.name;
-                                EXPECT_EQ(plan.lastLevel, made->lastLevel);
-                                EXPECT_EQ(plan.border, made->border);
-                                ++compared;
                             }
     }
-    EXPECT_EQ(compared, 10 * 2 * 9 * 2 * 4 * 5 * 4 * 2);
+    EXPECT_EQ(compared, 10 * 2 * 9 * 2 * 4 * 5 * 4 * 2 * 2);
 }
 
 TEST(LevelPlan, OfAFileThatIsResizedIsComplete) {

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from PIL import Image, ImageChops
 
-from texshot import TEXSHOT, Texshot, bmp, texshot
+from texshot import TEXSHOT, Texshot, bmp, dds, texshot
 
 
 class Shot(Texshot):
@@ -296,6 +296,32 @@ class Shot(Texshot):
                 self.assertIn(f"texshot: {sentence}\n", done.stderr.decode())
             self.assertNotEqual(Image.open(out).convert("RGBA").tobytes(), whole.convert("RGBA").tobytes())
         self.assertEqual(self.shot(scene, "--size", "64x64", "--pretend", "units=2").tobytes(), whole.tobytes())
+
+    def test_an_image_that_is_too_large_is_drawn_from_smaller_levels(self):
+        colors = [(255, 0, 0), (0, 255, 0), (0, 0, 255)]
+        scene = self.path / "levels.json"
+        pixels = b"".join(bytes(color) + b"\xff" for k, color in enumerate(colors) for _ in range((64 >> k) ** 2))
+        (self.path / "levels.dds").write_bytes(dds(64, 64, pixels, 28, levels=3))
+        texture = {"source": "file", "file": "levels.dds", "mipmaps": "file", "minFilter": "GL_LINEAR", "oversize": "smaller"}
+        unit = {"enabled": True, "envMode": "GL_REPLACE"}
+        scene.write_text(json.dumps({"version": 1, "models": [{"shape": "quad"}], "textures": [texture], "passes": [{"units": [unit]}],
+                                     "view": {"distance": 1}}))
+        limit = ("--pretend", "max-texture-size=20")
+        said = ("textures[0]{}: 64 × 64 texels exceed the driver's 20 for GL_TEXTURE_2D: drawn from level 2, which has "
+                "16 × 16\n")
+        out = self.path / "out.png"
+        for renderer in ("fixed", "shader", "reference"):
+            with self.subTest(renderer):
+                done = texshot("shot", scene, "--size", "8x8", "--renderer", renderer, *limit, "-o", out)
+                self.assertEqual((done.returncode, done.stderr.decode()), (0, "texshot: " + said.format("")))
+                self.assertEqual(Image.open(out).convert("RGB").getcolors(), [(64, colors[2])])
+        self.assertEqual(self.shot(scene, "--size", "8x8").convert("RGB").getcolors(), [(64, colors[0])])
+        self.assertEqual(self.succeeds("check", scene, *limit).decode(), "note: " + said.format(".oversize"))
+        program = self.succeeds("emit", scene, *limit).decode()
+        self.assertIn("16, 16, 0, ", program)
+        self.assertNotIn("64, 64, 0, ", program)
+        explained = json.loads(self.succeeds("probe", scene, "--size", "8x8", "--at", "4,4", "--no-gl", "--json", *limit))
+        self.assertIn("16", json.dumps(explained))
 
     def test_what_no_driver_lacks_is_refused(self):
         out = self.path / "out.png"

@@ -111,6 +111,7 @@ TEST(WriteScene, ReadsLikeThis) {
       "mipFilter": "box",
       "mipGamma": false,
       "npot": "keep",
+      "oversize": "none",
       "baseLevel": 0,
       "maxLevel": 1000,
       "minLod": -1000,
