@@ -57,6 +57,13 @@ void takeGivenCoordinates(Unit& unit, Target target) {
     unit.matrixStart = MatrixStart::Identity;
 }
 
+void showFloor(const PresetTarget& target) {
+    constexpr std::array floor{Shape::Floor};
+    showOnlyShapes(target.scene, floor);
+    lookAlongFloor(target.scene.view);
+    takeGivenCoordinates(target.unit);
+}
+
 Model& showSquare(Scene& scene) {
     constexpr std::array square{Shape::Quad};
     showOnlyShapes(scene, square);
@@ -117,6 +124,8 @@ Result<void> applyPreset(const Preset& preset, Scene& scene, const PresetPlace& 
         unit.texture = static_cast<int>(*added);
     }
     pass.enabled = unit.enabled = true;
+    if (!preset.cures && edited.view.background == preset::paper)
+        edited.view.background = defaultScene().view.background;
     Texture& texture = edited.textures[static_cast<std::size_t>(unit.texture)];
     if (Result<void> done = preset.edit({edited, pass, unit, texture, place}); !done)
         return done;

@@ -35,6 +35,7 @@ struct Preset {
     std::string_view look;  ///< what to look at afterwards
     /// The error says what the scene has no room for.
     Result<void> (*edit)(const PresetTarget& target);
+    bool cures = false; ///< it cures the mistake of a preset before it, and keeps the rest
 };
 
 /// Sorted by group, in the order of the menu.

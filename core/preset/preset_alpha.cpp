@@ -80,7 +80,7 @@ Result<void> fringe(const PresetTarget& target) {
     target.unit.envMode = EnvMode::Replace;
     blendWith(target.pass, BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha);
     showSquare(target.scene);
-    target.scene.view.background = glm::vec4(1);
+    target.scene.view.background = paper;
     return {};
 }
 
@@ -103,6 +103,26 @@ Result<void> fringeCure(const PresetTarget& target) {
 Result<void> fringePremultiplied(const PresetTarget& target) {
     blendWith(target.pass, BlendFactor::One, BlendFactor::OneMinusSrcAlpha);
     return endWith(target.texture, ImageOp::Premultiply);
+}
+
+/// A net, the mortar between bricks, on a floor: alpha is 1 where the height is below a half, in green.
+Result<void> vanishing(const PresetTarget& target) {
+    showFloor(target);
+    showPattern(target.texture, Pattern::BrickHeight);
+    target.texture.preparation = {{.op = ImageOp::Swizzle, .alpha = ComponentSource::Red},
+                                  {.op = ImageOp::Scale, .factor = {1, 1, 1, -16}, .bias = {0, 0.5F, 0, 8}}};
+    filterTrilinear(target.texture);
+    target.texture.mipCoverage = 0;
+    target.texture.wrapS = target.texture.wrapT = Wrap::Repeat;
+    target.unit.envMode = EnvMode::Replace;
+    testAlpha(target.pass);
+    return {};
+}
+
+Result<void> vanishingCure(const PresetTarget& target) {
+    filterTrilinear(target.texture);
+    target.texture.mipCoverage = target.pass.alphaRef;
+    return {};
 }
 
 Result<void> additiveGlow(const PresetTarget& target) {
@@ -135,12 +155,21 @@ constexpr std::array alphaRows{
            fringe},
     Preset{"fringe-cure", alphaGroup, N_("Dark fringe, cured"),
            N_("A step that gives invisible texels the colours of the nearest visible ones."),
-           N_("The edge has the tree's own colour: what GL_LINEAR mixes in is the same green."), fringeCure},
+           N_("The edge has the tree's own colour: what GL_LINEAR mixes in is the same green."), fringeCure,
+           true},
     Preset{
         "fringe-premultiplied", alphaGroup, N_("Dark fringe, premultiplied"),
         N_("A step that multiplies colours by alpha, and blending with GL_ONE and GL_ONE_MINUS_SRC_ALPHA."),
         N_("The edge has the tree's own colour: filters weigh each colour by its alpha."),
-        fringePremultiplied},
+        fringePremultiplied, true},
+    Preset{"vanishing", alphaGroup, N_("Vanishing net"),
+           N_("A net that recedes into the distance, with the alpha test and mipmaps."),
+           N_("Far away the net is gone: each level averages alpha, and where less than half of an image is "
+              "opaque, no mean passes the test."),
+           vanishing},
+    Preset{"vanishing-cure", alphaGroup, N_("Vanishing net, cured"),
+           N_("Levels whose alpha is scaled, so that as many texels pass the alpha test as of the image."),
+           N_("The net goes on into the distance, as dense as it is near."), vanishingCure, true},
     Preset{
         "additive-glow", alphaGroup, N_("Additive glow"),
         N_("GL_BLEND with GL_SRC_ALPHA and GL_ONE, without a depth test."),

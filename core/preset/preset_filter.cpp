@@ -1,7 +1,6 @@
 // Filters, wrap modes and levels: each trouble, and its cure.
 
 #include "texplorer/preset/preset_rows.h"
-#include "texplorer/scene/show_shapes.h"
 
 #include <array>
 
@@ -9,13 +8,6 @@ namespace texplorer::preset {
 namespace {
 
 constexpr std::string_view filterGroup = N_("Filters, levels and seams");
-
-void showFloor(const PresetTarget& target) {
-    constexpr std::array floor{Shape::Floor};
-    showOnlyShapes(target.scene, floor);
-    lookAlongFloor(target.scene.view);
-    takeGivenCoordinates(target.unit);
-}
 
 /// With a checkerboard or a picture from a file, trilinear: the levels are visible.
 void showTrilinearFloor(const PresetTarget& target) {
@@ -72,12 +64,14 @@ Result<void> seamCure(const PresetTarget& target) {
     return {};
 }
 
-/// The middle one of the faces, of 128 x 128 texels, in levels from that of 8 x 8 texels on. `inset`: in
-/// texels of the image.
+/// The middle one of the faces, of 128 x 128 texels, in levels from that of 4 x 4 texels on, in pure colours.
+/// `inset`: in texels of the image.
 void showTile(const PresetTarget& target, float inset) {
     showPattern(target.texture, Pattern::CubeFaces);
+    target.texture.preparation = {
+        {.op = ImageOp::Scale, .factor = {16, 16, 16, 1}, .bias = {-9.5F, -9.5F, -7.5F, 0}}};
     filterTrilinear(target.texture);
-    target.texture.baseLevel = 4;
+    target.texture.baseLevel = 5;
     takeGivenCoordinates(target.unit);
     target.unit.envMode = EnvMode::Replace;
     const glm::vec2 image{512, 384};
@@ -93,7 +87,7 @@ Result<void> atlas(const PresetTarget& target) {
 }
 
 Result<void> atlasCure(const PresetTarget& target) {
-    showTile(target, 8); // half a texel of the base level
+    showTile(target, 16); // half a texel of the base level
     target.texture.maxLevel = target.texture.baseLevel;
     return {};
 }
@@ -118,13 +112,13 @@ constexpr std::array filterRows{
         "shimmer-cure", filterGroup, N_("Shimmer, cured"),
         N_("Mipmaps, and GL_LINEAR_MIPMAP_LINEAR, for the texture of this unit."),
         N_("Far away the texture fades to its mean: each pixel reads a level with texels of its own size."),
-        shimmerCure},
+        shimmerCure, true},
     Preset{"blocks", filterGroup, N_("Blocky magnification"),
            N_("An image of 16 × 16 texels, with GL_NEAREST magnification."),
            N_("Each texel is a block of pixels: a magnified texture has no finer detail."), blocks},
     Preset{"blocks-cure", filterGroup, N_("Blocky magnification, cured"),
            N_("GL_LINEAR magnification for the texture of this unit."),
-           N_("The blocks blend into each other: smooth, but no sharper than the texels."), blocksCure},
+           N_("The blocks blend into each other: smooth, but no sharper than the texels."), blocksCure, true},
     Preset{"seam", filterGroup, N_("Seam of GL_CLAMP"),
            N_("GL_CLAMP with GL_LINEAR, an image of 16 × 16 texels and a magenta border colour."),
            N_("A magenta seam where the image ends: GL_CLAMP mixes half of the border colour into the edge."),
@@ -132,18 +126,18 @@ constexpr std::array filterRows{
     Preset{"seam-cure", filterGroup, N_("Seam of GL_CLAMP, cured"),
            N_("GL_CLAMP_TO_EDGE for the texture of this unit."),
            N_("The seam is gone: the outermost texels continue, and the border colour is never read."),
-           seamCure},
+           seamCure, true},
     Preset{
         "atlas-bleeding", filterGroup, N_("Bleeding tiles"),
-        N_("One tile, of 8 × 8 texels, of an image of several, with GL_LINEAR and mipmaps. Its coordinates "
+        N_("One tile, of 4 × 4 texels, of an image of several, with GL_LINEAR and mipmaps. Its coordinates "
            "reach its edges."),
-        N_("The edges take on colours of the tiles around: GL_LINEAR mixes them in within half a texel, and "
-           "the texels of each smaller level are twice as wide."),
+        N_("A blue tile with edges in the colours of the tiles around: GL_LINEAR mixes them in within half a "
+           "texel, and the texels of each smaller level are twice as wide."),
         atlas},
     Preset{"atlas-bleeding-cure", filterGroup, N_("Bleeding tiles, cured"),
            N_("Coordinates half a texel inside of the tile, and no smaller levels: GL_TEXTURE_MAX_LEVEL."),
            N_("The tile has only its own colours. Programs with smaller levels leave room between tiles."),
-           atlasCure},
+           atlasCure, true},
     Preset{"coloured-levels", filterGroup, N_("Coloured mip levels"),
            N_("A floor that recedes into the distance. Each level above the base has its own colour."),
            N_("Each band of colour is a level. Change the LOD bias, and the bands move."), colouredLevels},

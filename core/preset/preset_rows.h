@@ -31,6 +31,12 @@ void generateNothing(Unit& unit);
 /// The same, and resets the texture matrix; for any target.
 void takeGivenCoordinates(Unit& unit, Target target = Target::Texture2D);
 
+/// Shows a floor alone that recedes into the distance, with its own coordinates.
+void showFloor(const PresetTarget& target);
+
+/// Behind a sprite with a dark edge. Other presets replace it by the default.
+inline constexpr glm::vec4 paper{1};
+
 /// Shows one square alone, seen straight from the front, and returns it.
 Model& showSquare(Scene& scene);
 

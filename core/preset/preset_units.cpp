@@ -126,11 +126,20 @@ Result<void> wrongUnit(const PresetTarget& target) {
     return {};
 }
 
+/// Back to the unit before it that is off, or to the first one.
 Result<void> wrongUnitCure(const PresetTarget& target) {
-    if (Unit* other = unitOfSame(target)) {
-        other->enabled = false;
+    std::array<Unit, maxUnits>& units = target.pass.units;
+    for (std::size_t u = 1; u < maxUnits; ++u) {
+        const bool lacks = std::ranges::any_of(
+            target.scene.models, [u](const Model& model) { return !model.noTexCoord[u].empty(); });
+        if (!units[u].enabled || !lacks)
+            continue;
+        Unit& right = target.place.unit < u ? target.unit : units.front();
+        if (&right != &target.unit)
+            right = units[u];
+        units[u].enabled = false;
         for (Model& model : target.scene.models)
-            model.noTexCoord[static_cast<std::size_t>(other - target.pass.units.data())].clear();
+            model.noTexCoord[u].clear();
     }
     return {};
 }
@@ -151,7 +160,8 @@ constexpr std::array unitRows{
            wrongUnit},
     Preset{"wrong-unit-cure", unitGroup, N_("Image on another unit, cured"),
            N_("The image is on this unit, as after glActiveTexture(GL_TEXTURE0), and the other one is off."),
-           N_("The image is back: glTexCoord sends the coordinates that its unit reads."), wrongUnitCure},
+           N_("The image is back: glTexCoord sends the coordinates that its unit reads."), wrongUnitCure,
+           true},
     Preset{
         "emboss", unitGroup, N_("Embossed bumps"),
         N_("Two units show heights on a cube, the second one inverted and moved towards the light, with "

@@ -1,4 +1,4 @@
-// Calls of glTexImage that do not fit the program's memory.
+// Calls of glTexImage that do not fit the program's memory, and rows in another order than OpenGL's.
 
 #include "texplorer/preset/preset_rows.h"
 
@@ -36,6 +36,27 @@ Result<void> swappedColours(const PresetTarget& target) {
     return {};
 }
 
+/// A square with t as it counts from the top, or from the bottom.
+Model& showUpright(const PresetTarget& target, float bottom) {
+    takeGivenCoordinates(target.unit);
+    target.unit.envMode = EnvMode::Replace;
+    Model& square = showSquare(target.scene);
+    square.texCoords[target.place.unit] = {
+        {0, bottom, 0, 1}, {1, bottom, 0, 1}, {1, 1 - bottom, 0, 1}, {0, 1 - bottom, 0, 1}};
+    return square;
+}
+
+Result<void> upsideDown(const PresetTarget& target) {
+    showPatternUnlessOwn(target.texture, Pattern::Tree);
+    showUpright(target, 1);
+    return {};
+}
+
+Result<void> upsideDownCure(const PresetTarget& target) {
+    showUpright(target, 0);
+    return {};
+}
+
 constexpr std::array uploadRows{
     Preset{"slanted", uploadGroup, N_("Slanted picture"),
            N_("GL_UNPACK_ROW_LENGTH is one pixel less than the rows that the program holds."),
@@ -47,6 +68,16 @@ constexpr std::array uploadRows{
            N_("The seas are brown and the highlands blue: red and blue have changed places. Told GL_BGR, "
               "OpenGL reads them right."),
            swappedColours},
+    Preset{"upside-down", uploadGroup, N_("Upside-down picture"),
+           N_("A square whose t counts from the top, as rows do in most files and t does in Direct3D."),
+           N_("The picture stands on its head: in OpenGL t is 0 at the first row of glTexImage2D, and 1 at "
+              "the last one, which should be the top."),
+           upsideDown},
+    Preset{
+        "upside-down-cure", uploadGroup, N_("Upside-down picture, cured"),
+        N_("1 - t for every vertex, so that t is 0 at the bottom."),
+        N_("The picture is upright. Programs change t, or reverse the rows of the file when they load it."),
+        upsideDownCure, true},
 };
 
 } // namespace

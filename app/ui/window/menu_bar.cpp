@@ -27,6 +27,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 namespace texplorer::ui {
 namespace {
 
@@ -321,8 +323,11 @@ void viewItems(const Session& session, const Layout& layout) {
     shortcutItem(session, layout, "Reset camera", "reset camera");
 }
 
-/// Grouped, each previewed while the pointer rests on it.
+/// Grouped, each previewed while the pointer rests on it. They are many, and one column leaves the picture
+/// free.
 void presetsItems(const Session& session) {
+    const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing.x, std::floor(spacing.y / 2)});
     std::string_view group;
     for (const Preset& preset : presets()) {
         if (preset.group != group) {
@@ -336,6 +341,7 @@ void presetsItems(const Session& session) {
             previewPreset(session, preset);
         helpTip(Sentence("{0}\n{1}", preset.help, preset.look));
     }
+    ImGui::PopStyleVar();
 }
 
 void helpItems(const Session& session, const Layout& layout) {

@@ -107,8 +107,8 @@ std::vector<Changed> changedRows() {
         {"seam-cure", "seam", wraps},
         {"atlas-bleeding", "",
          joined(inUnit(0, {"envMode"}),
-                {pattern, "textures[0].baseLevel", "view.azimuth", "view.elevation", "view.distance",
-                 "models", "models[0].visible", "models[1].visible"})},
+                {pattern, "textures[0].baseLevel", "textures[0].preparation", "view.azimuth",
+                 "view.elevation", "view.distance", "models", "models[0].visible", "models[1].visible"})},
         {"atlas-bleeding-cure", "atlas-bleeding", {"textures[0].maxLevel", "models[2].texCoords0"}},
         {"coloured-levels", "", joined(floor, {"textures[0].mipmaps"})},
         {"anisotropy", "", joined(floor, {"textures[0].maxAnisotropy"})},
@@ -124,6 +124,10 @@ std::vector<Changed> changedRows() {
                  "view.background", "models", "models[0].visible", "models[1].visible"})},
         {"fringe-cure", "fringe", {"textures[0].preparation"}},
         {"fringe-premultiplied", "fringe", {"textures[0].preparation", "passes[0].blendSrc"}},
+        {"vanishing", "",
+         joined(joined(joined(floor, alphaTest), inUnit(0, {"envMode"})),
+                {pattern, "textures[0].preparation"})},
+        {"vanishing-cure", "vanishing", {"textures[0].mipCoverage"}},
         {"additive-glow", "", joined(blend, {"passes[0].depthTest"})},
         {"scroll", "", inUnit(0, {"matrix"})},
         {"spin", "", inUnit(0, {"matrix"})},
@@ -166,6 +170,10 @@ std::vector<Changed> changedRows() {
          {pattern, "textures[0].mipmaps", "textures[0].minFilter", "textures[0].upload.custom",
           "textures[0].upload.memory", "textures[0].upload.memoryFormat",
           "textures[0].upload.memoryAlignment", "textures[0].upload.format"}},
+        {"upside-down", "",
+         joined(inUnit(0, {"envMode"}), {pattern, "view.azimuth", "view.elevation", "view.distance", "models",
+                                         "models[0].visible", "models[1].visible"})},
+        {"upside-down-cure", "upside-down", {"models[2].texCoords0"}},
     };
 }
 
@@ -281,6 +289,22 @@ TEST(Presets, OfAPatternReadItAsItIs) {
     const Scene slanted = with("slanted");
     EXPECT_EQ(with("cut-out", slanted).textures[0].upload, Upload{});
     EXPECT_EQ(with("blocks", slanted).textures[0].upload, Upload{});
+}
+
+TEST(Presets, KeepNoPaperButTheirCuresDo) {
+    const Scene fringe = with("fringe");
+    EXPECT_EQ(with("fringe-cure", fringe).view.background, glm::vec4(1));
+    EXPECT_EQ(with("blocks", fringe).view.background, defaultScene().view.background);
+    Scene own = defaultScene();
+    own.view.background = {1, 0, 0, 1};
+    EXPECT_EQ(with("blocks", own).view.background, own.view.background);
+}
+
+TEST(Presets, CureAnImageFromItsOwnUnit) {
+    const Scene cured = with("wrong-unit-cure", with("wrong-unit"), {0, 1});
+    EXPECT_TRUE(cured.passes[0].units[0].enabled);
+    EXPECT_FALSE(cured.passes[0].units[1].enabled);
+    EXPECT_THAT(cured.models[0].noTexCoord[1], IsEmpty());
 }
 
 TEST(Presets, FindRoomAmongManyModels) {

@@ -274,6 +274,14 @@ TEST_F(PresetsMenu, IsAboutTheSelectedUnit) {
     EXPECT_TRUE(scene().passes[0].units[1].texGenS.enabled);
 }
 
+TEST_F(PresetsMenu, SelectsAUnitThatIsOn) {
+    choosePreset("wrong-unit");
+    EXPECT_EQ(session->look.selection.unit, 1);
+    choosePreset("wrong-unit-cure");
+    EXPECT_EQ(session->look.selection.unit, 0);
+    EXPECT_TRUE(scene().passes[0].units[0].enabled);
+}
+
 TEST_F(PresetsMenu, ShowsWhatItWouldDoWhileThePointerRestsOnIt) {
     const Scene before = scene();
     click("menu:Presets");
