@@ -31,7 +31,7 @@ void drawTab(const Session& session, DetailsState& state, const Pictures& pictur
     case Tab::Explain:
         return drawExplainTab(session, state.explain, pictures);
     case Tab::File:
-        return drawFileTab(session, state.file);
+        return drawFileTab(session, state.file, pictures);
     case Tab::Memory:
         return drawMemoryTab(session, pictures);
     case Tab::Kept:

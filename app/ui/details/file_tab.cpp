@@ -3,12 +3,14 @@
 #include "app/ui/details/file_tab.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/levels/memory_tab.h"
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/theme.h"
 #include "texplorer/base/sentence.h"
 #include "texplorer/text/printable.h"
+#include "texplorer/texture/level_plan.h"
 
 #include <fmt/core.h>
 
@@ -207,7 +209,8 @@ void hexView(FileTabState& state, const FieldMap& map, std::optional<std::size_t
     ImGui::PopStyleVar();
     ImGui::PopFont();
     if (file.bytes.size() < file.fileBytes)
-        dimText(Sentence("The first {0} of {1} bytes are shown.", file.bytes.size(), file.fileBytes));
+        dimText(Sentence("The first {0} of {1} bytes are shown.", ProperName{grouped(file.bytes.size())},
+                         ProperName{grouped(file.fileBytes)}));
     ImGui::EndChild();
     ImGui::PopStyleColor();
 }
@@ -226,7 +229,7 @@ void heading(const Session& session) {
     if (view.content) {
         const std::string_view format = view.content->anatomy.format;
         text(Sentence("{0} · {1} · {2}", ProperName{name}, format.empty() ? N_("unknown format") : format,
-                      Sentence::plural("{0} byte", "{0} bytes", view.content->fileBytes)));
+                      bytesText(view.content->fileBytes)));
     } else
         text(ProperName{name});
     item("file:name", ProperName{path});
@@ -242,9 +245,20 @@ void heading(const Session& session) {
         helpTip(damage);
 }
 
+/// The format that is asked for when the file's image is uploaded, and the one that the driver took.
+void drawStored(const Session& session, const view::StoredLevel& base) {
+    const Texture& texture = *boundTexture(session);
+    const std::optional<BlockFormat> blocks =
+        planLevels(texture, session.document.images.picturesOf(texture), selectedUnit(session).target).blocks;
+    const std::string_view asked = blocks ? rowOf(*blocks).name : rowOf(texture.internalFormat).name;
+    fittedText(Sentence("{0} is asked for; the driver stores {1}", ProperName{asked}, storedLevelText(base)),
+               color::dim);
+    item("file:stored", N_("glGetTexLevelParameteriv of the largest level. The tab Memory has all levels."));
+}
+
 } // namespace
 
-void drawFileTab(const Session& session, FileTabState& state) {
+void drawFileTab(const Session& session, FileTabState& state, const Pictures& pictures) {
     const InspectedFile& view = session.look.fileView;
     const Texture* texture = boundTexture(session);
     if (view.shown.empty()) {
@@ -255,6 +269,8 @@ void drawFileTab(const Session& session, FileTabState& state) {
         return;
     }
     heading(session);
+    if (const view::StoredTexture* stored = view.chosen.empty() ? storedOf(session, pictures) : nullptr)
+        drawStored(session, stored->levels.front());
     if (!view.problem.empty())
         wrappedText(ProperName{printable(tr(view.problem))}, color::problem);
     if (!view.content) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/ui/model/session.h"
+#include "app/ui/widgets/pictures.h"
 
 #include <memory>
 #include <optional>
@@ -15,6 +16,6 @@ struct FileTabState {
     std::optional<std::size_t> revealInBytes;
 };
 
-void drawFileTab(const Session& session, FileTabState& state);
+void drawFileTab(const Session& session, FileTabState& state, const Pictures& pictures);
 
 } // namespace texplorer::ui

@@ -17,6 +17,7 @@ struct LanguageRow {
     const char* label;     ///< in letters of the default font
     /// The index of gettext's plural form for a number.
     std::size_t (*form)(unsigned long number);
+    std::string_view thousands = ","; ///< what separates groups of three digits
 };
 
 namespace plural {
@@ -40,7 +41,7 @@ inline constexpr std::array languageRows{
     LanguageRow{Language::System, "system", N_("Like the system"), plural::oneAndMore},
     LanguageRow{Language::English, "en", N_("English"), plural::oneAndMore},
     LanguageRow{Language::Chinese, "zh_CN", N_("Chinese (Zhongwen)"), plural::one},
-    LanguageRow{Language::Russian, "ru", N_("Русский (Russian)"), plural::slavic},
+    LanguageRow{Language::Russian, "ru", N_("Русский (Russian)"), plural::slavic, "\u00A0"},
 };
 
 [[nodiscard]] const LanguageRow& rowOf(Language language);

@@ -1,5 +1,6 @@
 #include "app/ui/language/translate.h"
 
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -71,6 +72,22 @@ std::string tr(const Sentence& english) {
     if (!inUse || english.isName())
         return english;
     return english.key().empty() ? tr(std::string_view(english)) : inUse->translate(english, noteGap);
+}
+
+std::string grouped(std::size_t number) {
+    constexpr std::size_t group = 3;
+    const std::string_view separator = rowOf(inUse ? inUse->language() : Language::English).thousands;
+    std::string text = std::to_string(number);
+    for (std::size_t at = text.size(); at > group;) {
+        at -= group;
+        text.insert(at, separator);
+    }
+    return text;
+}
+
+Sentence bytesText(std::size_t bytes) {
+    return Sentence::ofParts(Sentence::plural("{0} byte", "{0} bytes", bytes).key(),
+                             {Sentence::ofNumber(grouped(bytes), bytes)});
 }
 
 const char* label(const char* english) {

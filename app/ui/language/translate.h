@@ -25,6 +25,11 @@ void useCatalogue(const Catalogue* catalogue, std::set<std::string, std::less<>>
 }
 [[nodiscard]] std::string tr(const Sentence& english);
 
+/// A number with its thousands separated as in the window's language: "1,398,100".
+[[nodiscard]] std::string grouped(std::size_t number);
+/// "1,398,100 bytes"
+[[nodiscard]] Sentence bytesText(std::size_t bytes);
+
 /// The same for texts from which Dear ImGui makes an ID: of a button, a menu, a tab, a dialog. The ID stays
 /// the English one, with the part after "##".
 [[nodiscard]] const char* label(const char* english);

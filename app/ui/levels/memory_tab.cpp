@@ -18,12 +18,6 @@
 namespace texplorer::ui {
 namespace {
 
-/// "1,398,100"
-std::string grouped(std::size_t number) {
-    return number < 1000 ? fmt::format("{}", number)
-                         : fmt::format("{},{:03}", grouped(number / 1000), number % 1000);
-}
-
 /// Sentences about the bound texture: the renderer's, and those about levels that were not drawn yet.
 std::vector<Sentence> sentencesOf(const Session& session, const Pictures& pictures,
                                   const LevelsSummary* summary) {
@@ -99,23 +93,11 @@ void drawSum(const Texture& texture, const LevelsSummary& summary) {
              N_("The share of the memory of the same levels with three bytes a texel"));
 }
 
-/// What the driver stores of the bound texture; nullptr: OpenGL draws no picture of it.
-const view::StoredTexture* storedOf(const Session& session, const Pictures& pictures) {
-    const Unit& unit = selectedUnit(session);
-    for (const ViewFrame& view : pictures.frames) {
-        const auto found = view.frame.stored.find({static_cast<std::size_t>(unit.texture), unit.target});
-        if (view.side == view::Side::Now && found != view.frame.stored.end() &&
-            !found->second->levels.empty())
-            return found->second.get();
-    }
-    return nullptr;
-}
-
 /// What OpenGL says of the base level and of the object.
 void drawStored(const view::StoredTexture& stored, Target target) {
     const view::StoredLevel& base = stored.levels.front();
     ImGui::PushTextWrapPos(0);
-    text(Sentence("The driver stores {0}", view::storedText(base)));
+    text(Sentence("The driver stores {0}", storedLevelText(base)));
     ImGui::PopTextWrapPos();
     item("memory:stored",
          N_("glGetTexLevelParameteriv of the largest level: its internal format, and the bits "
@@ -217,6 +199,23 @@ void drawLevels(const LevelsSummary& summary, Target target) {
 }
 
 } // namespace
+
+const view::StoredTexture* storedOf(const Session& session, const Pictures& pictures) {
+    const Unit& unit = selectedUnit(session);
+    for (const ViewFrame& view : pictures.frames) {
+        const auto found = view.frame.stored.find({static_cast<std::size_t>(unit.texture), unit.target});
+        if (view.side == view::Side::Now && found != view.frame.stored.end() &&
+            !found->second->levels.empty())
+            return found->second.get();
+    }
+    return nullptr;
+}
+
+Sentence storedLevelText(const view::StoredLevel& level) {
+    return level.bytes > 0 ? Sentence("{0}, {1} bytes", ProperName{level.internalFormat},
+                                      ProperName{grouped(level.bytes)})
+                           : view::storedText(level);
+}
 
 void drawMemoryTab(const Session& session, const Pictures& pictures) {
     const std::optional<LevelsRequest> request = requestLevels(session);

@@ -76,6 +76,9 @@ TEST_F(FileTab, ShowsTheFileOfTheBoundTexture) {
     EXPECT_FALSE(has("file:problem"));
     ASSERT_NE(session->look.fileView.content, nullptr);
     EXPECT_EQ(session->look.fileView.content->fileBytes, 58U);
+    EXPECT_FALSE(has("file:stored")) << "nothing was drawn";
+    (void)picture();
+    EXPECT_TRUE(has("file:stored"));
     take(*session, Undo{});
     frames(2);
     EXPECT_TRUE(has("file:none"));

@@ -30,6 +30,25 @@ TEST_F(Translate, LeavesEnglishAlone) {
     EXPECT_EQ(tr(std::string("Cancel##3")), "Cancel##3");
 }
 
+TEST_F(Translate, GroupsDigitsAsTheLanguageDoes) {
+    useCatalogue(nullptr);
+    EXPECT_EQ(grouped(0), "0");
+    EXPECT_EQ(grouped(999), "999");
+    EXPECT_EQ(grouped(1398100), "1,398,100");
+    EXPECT_EQ(bytesText(1).english(), "1 byte");
+    EXPECT_EQ(bytesText(12345).english(), "12,345 bytes");
+    const Catalogue russian =
+        Catalogue::parse(
+            Language::Russian,
+            std::vector<CatalogueFile>{{"ru/a.po", "msgid \"{0} byte\"\nmsgid_plural \"{0} bytes\"\n"
+                                                   "msgstr[0] \"{0} байт\"\nmsgstr[1] \"{0} байта\"\n"
+                                                   "msgstr[2] \"{0} байт\"\n"}})
+            .value();
+    useCatalogue(&russian);
+    EXPECT_EQ(grouped(1398100), "1\u00A0398\u00A0100");
+    EXPECT_EQ(tr(bytesText(12342)), "12\u00A0342 байта");
+}
+
 TEST_F(Translate, RemembersWhatIsMissing) {
     EXPECT_STREQ(tr("Cancel"), "取消");
     EXPECT_STREQ(tr("Nothing"), "Nothing");
