@@ -129,8 +129,8 @@ void averagedAsStored(const Case& about, Report& report) {
 
 constexpr std::array formatRuleRows{
     Rule{"format-refused", Severity::Error, refused, true},
-    Rule{"srgb-levels", Severity::Warning, averagedAsStored},
-    Rule{"srgb-not-encoded", Severity::Note, decodedOnly},
+    Rule{"srgb-not-encoded", Severity::Note, decodedOnly}, // the cause first
+    Rule{"srgb-levels", Severity::Note, averagedAsStored},
     Rule{"drivers-choice", Severity::Note, driversChoice},
     Rule{"banding", Severity::Note, banding},
 };

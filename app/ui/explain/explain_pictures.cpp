@@ -1,5 +1,7 @@
 #include "app/ui/explain/explain_cards.h"
 #include "app/ui/figures/plot.h"
+#include "app/ui/language/translate.h"
+#include "app/ui/model/findings.h"
 #include "app/ui/widgets/board.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/palette.h"
@@ -323,6 +325,17 @@ void drawEnvironmentSketch(const Sketch& whole, const UnitExplanation& unit) {
     drawNamedColors(whole, colors);
 }
 
+/// Why a unit does nothing, in the place of a picture.
+void drawReason(const Sketch& whole, const reference::FragmentExplanation& fragment, int unit) {
+    const auto idle = std::ranges::find(fragment.idle, unit, &reference::IdleUnit::unit);
+    if (idle == fragment.idle.end())
+        return;
+    const std::string text = tr(shownSentence(idle->reason));
+    const ImVec4 room(whole.low.x, whole.low.y, whole.high.x, whole.high.y);
+    whole.draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), whole.low, color::text, text.c_str(), nullptr,
+                       room.z - room.x, &room);
+}
+
 } // namespace
 
 void drawStagePicture(ImDrawList& draw, ImVec2 low, ImVec2 high, const Card& card,
@@ -346,7 +359,7 @@ void drawStagePicture(ImDrawList& draw, ImVec2 low, ImVec2 high, const Card& car
     case Stage::Environment:
         return drawEnvironmentSketch(whole, *unit);
     case Stage::IdleUnit:
-        break;
+        return drawReason(whole, fragment, card.unit);
     case Stage::ColorSum:
         return drawNamedColors(whole, {{nullptr, "C", fragment.textured},
                                        {"+", N_("spec."), glm::vec4(glm::vec3(fragment.secondary), 1)},

@@ -1,5 +1,6 @@
 #include "app/ui/files/texture_file.h"
 #include "app/ui/language/translate.h"
+#include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel_menus.h"
 #include "app/ui/widgets/param_widgets.h"
@@ -165,6 +166,11 @@ void drawTextureDialog(const Session& session) {
     const float em = ImGui::GetFontSize();
     ImGui::Dummy({em * 34, 0}); // wide enough for its sentences
     const LevelPlan plan = levelsToSave(session);
+    if (const Texture* texture = boundTexture(session)) {
+        lineName(N_("Texture"));
+        text(Sentence("{0}  {1}", selectedUnit(session).texture, nameOfImage(*texture)));
+        noteItem("texture:which");
+    }
     fileLine(session);
     bool isListOpen = blocksLine(session, plan);
     qualityLine(session);

@@ -37,17 +37,17 @@ constexpr std::array formatRows{
             [](Subject& s) { s.texture().compression = Compression::Cached; }},
     Mistake{"SrgbNotEncoded", "srgb-not-encoded", Note, "textures[0].internalFormat", "darker than the image",
             [](Subject& s) { s.texture().internalFormat = InternalFormat::Srgb8Alpha8; }},
-    Mistake{"SrgbLevels", "srgb-levels", Warning, "textures[0].mipGamma", "too dark",
+    Mistake{"SrgbLevels", "srgb-levels", Note, "textures[0].mipGamma", "too dark",
             [](Subject& s) { s.texture().internalFormat = InternalFormat::Sluminance8; }},
-    Mistake{"SrgbLevelsOfGlu", "srgb-levels", Warning, "textures[0].mipmaps", "too dark",
+    Mistake{"SrgbLevelsOfGlu", "srgb-levels", Note, "textures[0].mipmaps", "too dark",
             [](Subject& s) {
                 s.texture().internalFormat = InternalFormat::Sluminance8;
                 s.texture().mipmaps = MipPolicy::Glu;
             }},
-    Mistake{"SrgbLevelsUnlessTheDriverMakesThem", "srgb-levels", Warning, "textures[0].mipGamma", "GL_SRGB8",
+    Mistake{"SrgbLevelsUnlessTheDriverMakesThem", "srgb-levels", Note, "textures[0].mipGamma", "GL_SRGB8",
             [](Subject& s) { s.texture().internalFormat = InternalFormat::Srgb8; },
             [](Subject& s) { s.texture().mipmaps = MipPolicy::GenerateMipmap; }},
-    Mistake{"SrgbLevelsUnlessSeen", "srgb-levels", Warning, "textures[0].mipGamma", "GL_SRGB8",
+    Mistake{"SrgbLevelsUnlessSeen", "srgb-levels", Note, "textures[0].mipGamma", "GL_SRGB8",
             [](Subject& s) { s.texture().internalFormat = InternalFormat::Srgb8; },
             [](Subject& s) { s.texture().minFilter = MinFilter::Linear; }}};
 

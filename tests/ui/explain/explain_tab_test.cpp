@@ -2,6 +2,7 @@
 #include "app/ui/view/panes.h"
 #include "app/ui/widgets/inset_placement.h"
 #include "app/ui/widgets/keys.h"
+#include "tests/ui/drawn_texts.h"
 #include "tests/ui/workbench.h"
 #include "texplorer/reference/probe.h"
 
@@ -101,6 +102,18 @@ TEST_F(ExplainTab, AClickChoosesThePixelBelowIt) {
     EXPECT_TRUE(has("explain:pixel"));
     EXPECT_TRUE(has("card:Texels"));
     EXPECT_TRUE(has("explained pixel"));
+}
+
+TEST_F(ExplainTab, ACardSaysWhyAUnitDoesNothing) {
+    texture().internalFormat = InternalFormat::Bgr;
+    explainTheCube();
+    frames(2);
+    std::string all;
+    for (const std::string& line : drawnTexts())
+        all += line + " ";
+    EXPECT_THAT(all,
+                testing::AllOf(testing::HasSubstr("GL_INVALID_VALUE"), testing::HasSubstr("drawn without")));
+    EXPECT_TRUE(has("card:Without effect"));
 }
 
 TEST_F(ExplainTab, TheExplainedPixelShowsTheSameInViewsOfOtherShapes) {

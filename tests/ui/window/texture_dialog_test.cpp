@@ -56,6 +56,10 @@ TEST_F(TextureDialog, LeadsToAFile) {
     EXPECT_EQ(std::get<BlockImage>(read.surface(0, 0)).format, BlockFormat::Dxt5);
 }
 
+TEST_F(TextureDialog, NamesTheTexture) {
+    EXPECT_TRUE(has("texture:which"));
+}
+
 TEST_F(TextureDialog, OffersTheLevelsOfAPicture) {
     click("texture:PNG");
     frames(2);
