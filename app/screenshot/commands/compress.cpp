@@ -234,6 +234,8 @@ Result<MadeImage> compressFile(const std::string& in, const CompressOptions& opt
         noteUnused("--gamma", kept);
     if (keeps && choices.coverage > 0)
         noteUnused("--coverage", kept);
+    else if (choices.coverage > 0 && file->alpha == AlphaMeaning::None && choices.steps.empty())
+        noteUnused("--coverage", "the picture has no alpha");
     Result<std::vector<MipChain>> pictures = picturesOf(*std::move(file), options, keeps, in);
     if (!pictures)
         return fail(pictures.error());
@@ -272,6 +274,10 @@ ExitCode run(const CompressOptions& options) {
         return complain(choices.error(), wrongCall);
     if (options.gamma && !choices->mips && !options.powerOfTwo)
         noteUnused("--gamma", "it applies only to mip levels and --power-of-two, but there is neither");
+    if (choices->coverage > 0 && keptComponents(choices->format) < 4)
+        noteUnused("--coverage", fmt::format("{} has no alpha", rowOf(choices->format).label));
+    else if (choices->coverage > 0 && !choices->mips && !choices->keepsLevels)
+        noteUnused("--coverage", "it applies only to mip levels, and there are none");
     return makeImages(options.files, compressFormats,
                       [&](const std::string& in) { return compressFile(in, options, *choices); });
 }
