@@ -42,8 +42,7 @@ Sentence verdictOn(const CostTimes& row) {
     if (!row.lack.empty() || compared.pairs == 0)
         return row.lack;
     if (compared.pairs < minTimePairs)
-        return Sentence::plural("{0} pair is measured, too few to compare: at least {1} are needed",
-                                "{0} pairs are measured, too few to compare: at least {1} are needed",
+        return Sentence::plural("{0} pair: at least {1} are needed", "{0} pairs: at least {1} are needed",
                                 compared.pairs, minTimePairs);
     const std::array numbers{digits(compared.ratio.median), digits(compared.ratio.low),
                              digits(compared.ratio.high)};

@@ -19,8 +19,8 @@ TEST(CostWords, AVerdictNeedsPairsThatAgree) {
     EXPECT_EQ(verdictOn(times(21, 0.5)).english(), "B takes 0.50× (0.50–0.50×) the time of A");
     EXPECT_EQ(verdictOn(times(21, 42.25)).english(), "B takes 42.2× (42.2–42.2×) the time of A");
     EXPECT_THAT(verdictOn(times(21, 1)).english(), StartsWith("no difference shown: 1.00×"));
-    EXPECT_THAT(verdictOn(times(1, 3)).english(), StartsWith("1 pair is measured, too few"));
-    EXPECT_THAT(verdictOn(times(19, 3)).english(), StartsWith("19 pairs are measured, too few"));
+    EXPECT_THAT(verdictOn(times(1, 3)).english(), StartsWith("1 pair: at least 20"));
+    EXPECT_THAT(verdictOn(times(19, 3)).english(), StartsWith("19 pairs: at least 20"));
     EXPECT_EQ(verdictOn(view::CostTimes{{}, "it lacks something"}).english(), "it lacks something");
 }
 
