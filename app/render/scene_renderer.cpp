@@ -127,6 +127,7 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
             state.drawScene(picture, known, then, square);
             return readPixels(state.pictures);
         };
+        const std::uint64_t before = state.textures->revision();
         Result<ImageSource> all = state.textures->withDrawn(images, *standing, scene, time, drawPicture);
         if (!all)
             return fail(all.error());
@@ -135,6 +136,8 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
         state.drawScene(hasPictures(*standing) ? picturedScene(*standing, 0) : *standing, *all, time, size);
         state.remember(*standing, time, size);
         frame.pictures = all->pictures();
+        // Pictures may show textures as they were before this frame.
+        frame.unfinished = !frame.pictures.empty() && state.textures->revision() != before;
         frame.shaders = state.pipeline->shaders();
         for (std::size_t i = 0; i < frame.shaders.size(); ++i) {
             if (!standing->passes[i].enabled)
@@ -148,7 +151,7 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
     frame.picture = handleOf(state.target.texture());
     frame.milliseconds = elapsed.count();
     frame.problems = state.errors.sentences();
-    frame.unfinished = state.textures->isUploading();
+    frame.unfinished |= state.textures->isUploading();
     frame.stored = state.textures->stored();
     frame.revision = state.revision;
     return frame;

@@ -4,6 +4,7 @@
 #include "app/ui/model/kept.h"
 #include "app/ui/model/preview.h"
 #include "app/ui/model/shown_passes.h"
+#include "texplorer/scene/params/scene_at.h"
 
 #include <algorithm>
 #include <array>
@@ -68,10 +69,10 @@ void ViewFrames::addDrawnImages(const ui::Session& session) {
     const bool draws = std::ranges::any_of(ui::shownRenderers(session.view), isLive) ||
                        isShown(session.settings.workspace, ui::Tab::Glsl);
     Scene stepped;
-    const Scene& scene = ui::shownScene(session, stepped);
     const double time = session.look.playback.time;
+    const Scene& scene = ui::shownScene(session, stepped);
     if (draws || (bound && bound->source == SourceKind::LightDepth))
-        images_ = lightDepths_.addedTo(images_, scene, time);
+        images_ = lightDepths_.addedTo(images_, *StandingScene(scene, time), time);
     if (!draws && bound && bound->source == SourceKind::Picture) { // otherwise a live renderer draws them
         if (Result<ImageSource> drawn = reference_.drawnImages({scene, images_, time}))
             images_ = std::move(*drawn);

@@ -1,7 +1,6 @@
 #include "app/ui/model/shown_passes.h"
 
 #include "app/ui/model/preview.h"
-#include "texplorer/scene/params/scene_at.h"
 
 #include <algorithm>
 
@@ -17,10 +16,9 @@ std::size_t shownPasses(const Session& session) {
 const Scene& shownScene(const Session& session, Scene& stepped) {
     const std::size_t shown = shownPasses(session);
     const Scene& whole = shownScene(session);
-    const bool moves = !whole.timeline.keys.empty();
-    if (shown == whole.passes.size() && !moves)
+    if (shown == whole.passes.size())
         return whole;
-    stepped = moves ? sceneAt(whole, session.look.playback.time) : whole;
+    stepped = whole;
     stepped.passes.resize(shown);
     return stepped;
 }
