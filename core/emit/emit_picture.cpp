@@ -173,8 +173,8 @@ int beginPicture(Emission& emission, std::size_t object) {
                                : fmt::format("static void drawPicture{}(void)", object));
     writer.add({plain("const int width = "), sizeOf(emission, object), plain(";")});
     writer.add("const int height = width;");
-    writer.add(fmt::format("glBindFramebuffer(GL_FRAMEBUFFER, picture{});", object),
-               texture.pictureCall == PictureCall::Framebuffer);
+    if (texture.pictureCall == PictureCall::Framebuffer)
+        writer.add(fmt::format("glBindFramebuffer(GL_FRAMEBUFFER, picture{});", object));
     return writer.secondsUses();
 }
 
@@ -182,7 +182,8 @@ void endPicture(Emission& emission, std::size_t object, int secondsUses) {
     CodeWriter& writer = emission.writer;
     const Texture& texture = textureOf(emission, object);
     const bool isCopied = texture.pictureCall != PictureCall::Framebuffer;
-    writer.add("glBindFramebuffer(GL_FRAMEBUFFER, 0);", !isCopied);
+    if (!isCopied)
+        writer.add("glBindFramebuffer(GL_FRAMEBUFFER, 0);");
     if (isCopied || texture.mipmaps == MipPolicy::GenerateMipmap) {
         writer.add(fmt::format("glActiveTexture({});", textureUnitName(0)),
                    emission.isCore || emission.activeUnit != 0);
@@ -196,7 +197,8 @@ void endPicture(Emission& emission, std::size_t object, int secondsUses) {
                     plain(", 0, 0, width, height, 0);")});
     if (texture.pictureCall == PictureCall::CopyTexSubImage)
         writer.add({name, plain("(GL_TEXTURE_2D, 0, 0, 0, 0, 0, width, height);")});
-    writer.add("glGenerateMipmap(GL_TEXTURE_2D);", texture.mipmaps == MipPolicy::GenerateMipmap);
+    if (texture.mipmaps == MipPolicy::GenerateMipmap)
+        writer.add("glGenerateMipmap(GL_TEXTURE_2D);");
     if (emission.moves && writer.secondsUses() == secondsUses)
         writer.add({plain("(void)seconds; "), {Part::Kind::Comment, "/* it does not move */"}});
     writer.close();

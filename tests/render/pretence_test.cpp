@@ -221,13 +221,16 @@ TEST_F(Pretending, SmallTexturesDrawsSmallerLevelsLikeTheReference) {
         std::array<float, 4> color;
         Sentence note;
     };
-    for (const Case& each : {Case{"max-texture-size=64", {1, 0, 0, 1}, {}},
-                             Case{"max-texture-size=63", {0, 1, 0, 1},
-                                  "textures[0]: 64 × 64 texels exceed the driver's 63 for GL_TEXTURE_2D: drawn "
-                                  "from level 1, which has 32 × 32"},
-                             Case{"max-texture-size=4", {0, 0, 1, 1},
-                                  "textures[0]: 64 × 64 texels exceed the driver's 4 for GL_TEXTURE_2D: scaled "
-                                  "down to 4 × 4"}}) {
+    for (const Case& each :
+         {Case{"max-texture-size=64", {1, 0, 0, 1}, {}},
+          Case{"max-texture-size=63",
+               {0, 1, 0, 1},
+               "textures[0]: 64 × 64 texels exceed the driver's 63 for GL_TEXTURE_2D: drawn "
+               "from level 1, which has 32 × 32"},
+          Case{"max-texture-size=4",
+               {0, 0, 1, 1},
+               "textures[0]: 64 × 64 texels exceed the driver's 4 for GL_TEXTURE_2D: scaled "
+               "down to 4 × 4"}}) {
         SCOPED_TRACE(each.pretended);
         const std::vector<Sentence> notes =
             each.note.empty() ? std::vector<Sentence>() : std::vector{each.note};

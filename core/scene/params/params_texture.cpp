@@ -97,9 +97,6 @@ constexpr std::array textureRows{
                                  "and white then give 188, not 128.")),
     param<&Texture::npot>("npot", N_("Mipmaps"), N_("Non-power-of-two"), "",
                           N_("What is done with a size that is not a power of two before levels are made.")),
-    param<&Texture::oversize>("oversize", N_("Mipmaps"), N_("Too large"), "",
-                              N_("What is uploaded of an image that is larger than the driver's largest "
-                                 "texture: nothing, or less of it.")),
     param<&Texture::baseLevel>(
         "baseLevel", N_("Mipmaps"), N_("Base level"), "glTexParameteri({target}, GL_TEXTURE_BASE_LEVEL, {})",
         N_("The largest mip level that is used; 0 is the image itself."), {0, 1000, 0.05F, {}}),
@@ -125,6 +122,9 @@ constexpr std::array textureRows{
         N_("An alpha test's reference: alpha of each level is scaled so that as much of it passes as of the "
            "image itself. Far leaves then don't vanish."),
         {0, 1, 0.005F, {}, N_("off")}),
+    param<&Texture::oversize>("oversize", N_("Mipmaps"), N_("Too large"), "",
+                              N_("What is uploaded of an image that is larger than the driver's largest "
+                                 "texture: nothing, or less of it.")),
     param<&Texture::maxAnisotropy>(
         "maxAnisotropy", N_("Anisotropy"), N_("Max anisotropy"),
         "glTexParameterf({target}, GL_TEXTURE_MAX_ANISOTROPY_EXT, {})",

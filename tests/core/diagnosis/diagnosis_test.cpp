@@ -80,6 +80,19 @@ TEST(DiagnosisOfAll, OffersAPatternForALevelOfAnotherSize) {
     EXPECT_EQ(find(stage.findings(), "incomplete", "textures[0].levels[1].file"), nullptr);
 }
 
+TEST(DiagnosisOfAll, SaysOfSrgbWhyThePictureIsDarkBeforeItsLevels) {
+    Subject stage;
+    stage.texture().internalFormat = InternalFormat::Srgb8;
+    stage.texture().mipmaps = MipPolicy::Generated;
+    stage.texture().minFilter = MinFilter::LinearMipmapLinear;
+    const std::vector<Finding> findings = stage.findings();
+    const auto cause = std::ranges::find(findings, "srgb-not-encoded", &Finding::rule);
+    const auto levels = std::ranges::find(findings, "srgb-levels", &Finding::rule);
+    ASSERT_NE(cause, findings.end());
+    ASSERT_NE(levels, findings.end());
+    EXPECT_LT(cause, levels);
+}
+
 TEST(DiagnosisOfAll, TheDefaultSceneIsFreeOfErrorsAndWarnings) {
     for (const Finding& each : Subject().findings())
         EXPECT_GE(each.severity, Severity::Hint) << each.path << ": " << each.sentence;

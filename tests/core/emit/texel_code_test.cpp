@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <random>
@@ -11,6 +12,7 @@
 namespace texplorer::emit_test {
 namespace {
 
+using emit::FileReader;
 using emit::LevelCode;
 using emit::TexelSource;
 using testing::Each;
@@ -50,6 +52,32 @@ TEST(NumbersText, FillsRowsOfAHundredLetters) {
     EXPECT_EQ(emit::numbersText({}), "");
     const std::string text = emit::numbersText(Bytes(100, std::byte{123}));
     EXPECT_EQ(text.find('\n'), 98U) << "four spaces and 19 numbers";
+}
+
+// The program reads the file, and leaves out the levels that are too large.
+TEST(TexelCode, OfAFileThatIsTooLargeBeginsWithASmallerLevel) {
+    TextureImage file;
+    file.format = "DDS";
+    file.levels = 3;
+    for (const int extent : {16, 8, 4}) {
+        BlockImage blocks = BlockImage::uninitialised(BlockFormat::Dxt1, extent, extent);
+        std::ranges::fill(blocks.blocks, static_cast<std::byte>(extent));
+        file.surfaces.emplace_back(std::move(blocks));
+    }
+    TexturePictures pictures(std::make_shared<const TextureImage>(std::move(file)));
+    Texture texture;
+    texture.source = SourceKind::File;
+    texture.mipmaps = MipPolicy::FromFile;
+    texture.flip = FlipMode::None;
+    texture.oversize = Oversize::Smaller;
+    for (const auto& [limit, first] : {std::pair{16, 0}, {15, 1}, {7, 2}}) {
+        pictures.limits.size = limit;
+        const auto code = emit::textureCode(texture, pictures, Target::Texture2D, FileReader::Dds);
+        ASSERT_TRUE(code);
+        EXPECT_EQ(code->reader, FileReader::Dds) << limit;
+        EXPECT_EQ(code->firstLevel, first) << limit;
+        EXPECT_EQ(code->levels.size(), 3U - static_cast<std::size_t>(first));
+    }
 }
 
 std::vector<TexelSource> sourcesOf(const Texture& texture, Target target = Target::Texture2D) {
@@ -101,7 +129,6 @@ TEST(TexelCode, OfLevelsBeyondTheChainIsNoHalf) {
 
 // The first bytes, worked out by hand from the formats' descriptions.
 TEST(FileReaders, ReadWhatTakesFewLines) {
-    using emit::FileReader;
     Bytes bmp(54, std::byte{0});
     const auto put = [](Bytes& bytes, std::size_t at, int value) {
         bytes.at(at) = static_cast<std::byte>(value);

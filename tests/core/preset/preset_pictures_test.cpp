@@ -395,12 +395,13 @@ TEST(PresetPictures, ANetVanishesInTheDistanceAndItsCureStays) {
 
 TEST(PresetPictures, ATreeStandsOnItsHeadUntilItIsTurned) {
     const auto isGround = [](Color c) { return c[0] > c[1]; }; // brown, below the green of the sky
-    const Image down = drawn(with("upside-down"));
-    const Image up = drawn(with("upside-down-cure"));
-    EXPECT_FALSE(isGround(colorAt(up, 20, 20))); // near the top
-    EXPECT_TRUE(isGround(colorAt(up, 20, 76)));
-    EXPECT_TRUE(isGround(colorAt(down, 20, 20)));
-    EXPECT_FALSE(isGround(colorAt(down, 20, 76)));
+    const Scene wrong = with("upside-down");
+    const Image down = drawn(wrong);
+    const Image up = drawn(with("upside-down-cure", wrong));
+    EXPECT_TRUE(isGround(colorAt(up, 20, 20))); // row 0 is the bottom one
+    EXPECT_FALSE(isGround(colorAt(up, 20, 76)));
+    EXPECT_FALSE(isGround(colorAt(down, 20, 20)));
+    EXPECT_TRUE(isGround(colorAt(down, 20, 76)));
 }
 
 TEST(PresetPictures, LevelsHaveColours) {
