@@ -31,7 +31,9 @@ constexpr float frameSeconds = 1.0F / 60;
 view::Capabilities madeUpCapabilities() {
     view::Capabilities capabilities;
     capabilities.renderer = "none";
-    capabilities.maxTextureSize = 16384;
+    capabilities.maxTextureSize = 16384; // as OSMesa has, which draws some frames of a test
+    capabilities.max3DTextureSize = 2048;
+    capabilities.maxCubeMapSize = 16384;
     capabilities.textureUnits = 8;
     capabilities.maxAnisotropy = 16;
     return capabilities;

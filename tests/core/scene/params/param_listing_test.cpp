@@ -50,7 +50,7 @@ TEST(ListParams, HasEveryParameterOnceWithItsHelpAndEveryChoice) {
     }
     const auto paths = allPaths();
     EXPECT_EQ(listed, std::multiset<std::string>(paths.begin(), paths.end()));
-    EXPECT_EQ(paths.size(), 215U);
+    EXPECT_EQ(paths.size(), 229U);
     EXPECT_TRUE(text.ends_with("\n"));
     EXPECT_FALSE(text.ends_with("\n\n"));
 }
@@ -137,7 +137,7 @@ TEST(ListParamsJson, NamesEveryKind) {
 TEST(ListParams, GivesWhatASceneHasThatDoesNotSayIt) {
     // What a file that names no more than its elements becomes.
     Scene scene = parseScene(R"({"version": 1, "models": [{"units": [{"matrix": [{}]}]}],
-                                       "textures": [{"levels": [{}], "preparation": [{}]}],
+                                       "textures": [{"levels": [{}], "preparation": [{}], "subimages": [{}]}],
                                        "passes": [{"units": [{"matrix": [{}]}]}]})")
                       .value();
     scene.timeline.keys.resize(1); // a file's has to name its parameter
