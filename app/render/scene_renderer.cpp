@@ -18,6 +18,7 @@
 #include <chrono>
 #include <new>
 #include <optional>
+#include <set>
 
 namespace texplorer::render {
 
@@ -68,6 +69,7 @@ struct SceneRenderer::State {
         , meshes(pipeline->vertexInput()) {}
 
     void drawScene(const Scene& scene, const ImageSource& images, double time, view::Size size);
+    void drawMissingShaders(const Scene& scene, const ImageSource& images, double time);
     void applySeamlessCubeMap(const Pass& pass, const std::string& where);
     BoundTextures texturesOf(const TextureUse& frame, std::size_t passIndex, const ImageSource& images);
     BoundTexture textureOf(const TextureUse& frame, const Unit& unit, int unitIndex, const std::string& where,
@@ -92,8 +94,9 @@ struct SceneRenderer::State {
     MeshCache meshes;
     std::optional<Drawn> drawn;
     std::uint64_t revision = 0;
-    LevelsSource* levels = nullptr; // of the current frame
-    GlErrors errors;                // of the current frame
+    LevelsSource* levels = nullptr;    // of the current frame
+    GlErrors errors;                   // of the current frame
+    std::set<std::size_t> drawnPasses; // in the current frame
 };
 
 SceneRenderer::SceneRenderer(const view::Capabilities& capabilities, std::unique_ptr<Pipeline> pipeline)
@@ -112,6 +115,7 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
     const auto begin = std::chrono::steady_clock::now();
     view::Frame frame{.size = size};
     state.errors = {};
+    state.drawnPasses.clear();
     state.levels = levels;
     state.errors.check(N_("before the scene was drawn")); // caused by other code, but not yet reported
     try {
@@ -138,6 +142,7 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
         frame.pictures = all->pictures();
         // Pictures may show textures as they were before this frame.
         frame.unfinished = !frame.pictures.empty() && state.textures->revision() != before;
+        state.drawMissingShaders(*standing, *all, time);
         frame.shaders = state.pipeline->shaders();
         for (std::size_t i = 0; i < frame.shaders.size(); ++i) {
             if (!standing->passes[i].enabled)
@@ -172,6 +177,7 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
         if (!scene.passes[i].enabled)
             continue;
+        drawnPasses.insert(i);
         const std::string where = fmt::format("passes[{}]", i);
         applyDepthAndBlend(scene.passes[i]);
         errors.check([&] { return fmt::format("{}: glDepthFunc, glBlendFunc", where); });
@@ -193,6 +199,23 @@ void SceneRenderer::State::drawScene(const Scene& scene, const ImageSource& imag
         pipeline->endPass();
         errors.check([&] { return fmt::format("{}: glDrawRangeElements", where); });
     }
+}
+
+/// Pictures that another renderer has drawn need shaders too, for those who read them: they are drawn as one
+/// pixel.
+void SceneRenderer::State::drawMissingShaders(const Scene& scene, const ImageSource& images, double time) {
+    const std::vector<std::shared_ptr<const view::PassShader>> shaders = pipeline->shaders();
+    std::set<int> missing;
+    for (std::size_t i = 0; i < shaders.size(); ++i) {
+        if (scene.passes[i].enabled && !drawnPasses.contains(i))
+            missing.insert(scene.passes[i].picture);
+    }
+    for (const int picture : missing) {
+        if (!pictures.bind(pictures.size() == view::Size{} ? view::Size{1, 1} : pictures.size()))
+            return;
+        drawScene(picturedScene(scene, picture), images, time, {1, 1});
+    }
+    drawnPasses.clear();
 }
 
 /// Reports nothing for a pass without cube maps: it does not matter there.

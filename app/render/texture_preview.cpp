@@ -25,9 +25,7 @@ unsigned TexturePreview::show(const Texture& texture, const ImageSource& images,
             return 0;
         }
     }
-    // The renderer reports the same errors for the texture itself.
-    const bool usable = live_.isCancelled() || live_.errors().sentences().empty();
-    return usable ? live_.object().name() : 0;
+    return live_.object().name(); // the renderer reports the same errors for the texture itself
 }
 
 } // namespace texplorer::render

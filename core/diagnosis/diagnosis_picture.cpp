@@ -69,7 +69,7 @@ void feedback(const Case& about, Report& report) {
         if (read.frames == 1)
             report.add(path,
                        Sentence("{0} reads picture {1} before it is finished, and there is no frame before: "
-                                "it is black",
+                                "it is black, with alpha 0",
                                 ProperName{elementOf<&Scene::passes>(pass)}, read.picture),
                        Fix{Sentence("Draw {0} frames", 8), {{path, "8"}}});
     }
@@ -78,10 +78,13 @@ void feedback(const Case& about, Report& report) {
 void subimageRefused(const Case& about, Report& report) {
     for (std::size_t i = 0; i < about.textures.size(); ++i) {
         for (const TargetFacts& facts : about.textures[i].targets) {
-            for (const RefusedSubimage& each : facts.plan.refusedSubimages)
+            for (const RefusedSubimage& each : facts.plan.refusedSubimages) {
+                if (!about.textures[i].pictures.subimage(each.index)) // is another mistake
+                    continue;
                 report.add(fmt::format("{}.{}", elementOf<&Scene::textures>(i),
                                        elementOf<&Texture::subimages>(each.index)),
                            Sentence("{0}; not changed", each.why));
+            }
         }
     }
 }

@@ -24,7 +24,7 @@ void missingFile(const Case& about, Report& report) {
     });
 }
 
-/// The same of levels that are given one by one, and of steps of the preparation.
+/// The same of levels that are given one by one, of steps of the preparation and of subimages.
 void missingPart(const Case& about, Report& report) {
     forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
         const auto add = [&](const std::string& part, const std::string& file, std::string_view effect) {
@@ -42,6 +42,10 @@ void missingPart(const Case& about, Report& report) {
             if (readsOther(texture.preparation[i]) && !facts.pictures.other(i))
                 add(elementOf<&Texture::preparation>(i), texture.preparation[i].file,
                     N_("the step is skipped"));
+        }
+        for (std::size_t i = 0; i < texture.subimages.size(); ++i) {
+            if (!facts.pictures.subimage(i))
+                add(elementOf<&Texture::subimages>(i), texture.subimages[i].file, N_("nothing is replaced"));
         }
     });
 }

@@ -197,8 +197,8 @@ void Emission::refuseShapes() {
 }
 
 std::string Emission::passVariable(std::size_t pass) const {
-    const auto drawn =
-        std::ranges::count_if(scene.passes, [&](const Pass& each) { return drawsAnything(scene, each); });
+    const auto drawn = std::ranges::count_if(
+        scene.passes, [&](const Pass& each) { return drawsAnything(scene, each) && isSeen(scene, each); });
     return drawn > 1 ? fmt::format("pass{}", pass) : std::string();
 }
 

@@ -130,7 +130,7 @@ private:
         }
     }
 
-    /// glTexSubImage, where OpenGL takes it.
+    /// glTexSubImage, also where OpenGL refuses it.
     void writeSubimages() {
         for (const SubimageCode& each : code_.subimages) {
             const Subimage& subimage = texture_.subimages[each.index];

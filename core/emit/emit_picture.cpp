@@ -56,8 +56,6 @@ const std::string* otherParameter(const Texture& texture) {
         return &keyOf<&Texture::compression>();
     if (texture.npot == NpotPolicy::PowerOfTwo)
         return &keyOf<&Texture::npot>();
-    if (texture.mipmaps != MipPolicy::None && texture.mipmaps != MipPolicy::GenerateMipmap)
-        return &keyOf<&Texture::mipmaps>();
     return nullptr;
 }
 
@@ -76,7 +74,11 @@ Result<void> checkPicture(const Scene& scene, const TextureObject& object) {
                              rowOf(Target::Texture2D).name, rowOf(object.target).name),
                     path);
     if (const std::string* key = otherParameter(texture))
-        return refuse("programs show pictures of passes as they are drawn", path, *key);
+        return refuse("programs show pictures of passes as they are drawn, without this", path, *key);
+    if (texture.mipmaps != MipPolicy::None && texture.mipmaps != MipPolicy::GenerateMipmap)
+        return refuse(Sentence("programs have mipmaps of a picture of passes from {0} or none",
+                               rowOf(MipPolicy::GenerateMipmap).name),
+                      path, keyOf<&Texture::mipmaps>());
     if (texture.pictureCall != PictureCall::Framebuffer)
         return isDepth(texture.internalFormat)
                    ? refuse("programs copy colours", path, keyOf<&Texture::internalFormat>())
@@ -92,6 +94,12 @@ Result<void> checkPicture(const Scene& scene, const TextureObject& object) {
 }
 
 } // namespace
+
+bool isSeen(const Scene& scene, const Pass& pass) {
+    return pass.picture == 0 || std::ranges::any_of(shownPictures(scene), [&](const PictureKey& key) {
+               return key.number == pass.picture;
+           });
+}
 
 std::vector<std::size_t> picturesOf(const Emission& emission) {
     std::vector<std::size_t> pictures;
@@ -221,7 +229,8 @@ void writePictureCalls(Emission& emission) {
         }
     }
     if (frames > 1) {
-        writer.comment("each frame shows pictures of the one before: so many are drawn");
+        writer.comment(
+            "each frame shows pictures of the one before; a program that runs draws one and keeps them");
         writer.add(fmt::format("for (int frame = {}; frame >= 0; --frame) {{", frames - 1));
         writer.indent();
         if (emission.moves)

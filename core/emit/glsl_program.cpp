@@ -87,9 +87,7 @@ Result<std::vector<GlslPass>> passesOf(const Emission& emission) {
             N_("a directional light has other shaders")));
     for (std::size_t i = 0; i < emission.scene.passes.size(); ++i) {
         const Pass& drawn = emission.scene.passes[i];
-        const auto isIts = [&](const PictureKey& key) { return key.number == drawn.picture; };
-        if (!drawsAnything(emission.scene, drawn) ||
-            (drawn.picture != 0 && std::ranges::none_of(shownPictures(emission.scene), isIts)))
+        if (!drawsAnything(emission.scene, drawn) || !isSeen(emission.scene, drawn))
             continue;
         GlslPass pass{i, joined(emission.passVariable(i), "program"), emission.passVariable(i), {}, {}, {}};
         for (std::size_t u = 0; u < maxUnits; ++u)
@@ -210,8 +208,11 @@ public:
     }
 
 private:
-    /// Whether the state of a pass is set once.
-    [[nodiscard]] bool isOne() const { return glsl_.passes.size() == 1 && picturesOf(emission_).empty(); }
+    [[nodiscard]] bool isOne() const { return glsl_.passes.size() == 1; }
+    /// Whether the state of the only pass is set once.
+    [[nodiscard]] bool isSetOnce() const {
+        return isOne() && !hasShadowMaps(glsl_) && picturesOf(emission_).empty();
+    }
 
     void writeInit() {
         writer_.heading("what is set once");
@@ -229,7 +230,7 @@ private:
         for (const GlslPass& pass : glsl_.passes)
             writeGlslPassSetup(glsl_, pass);
         writeGlslShadowSetup(glsl_);
-        if (isOne() && !hasShadowMaps(glsl_))
+        if (isSetOnce())
             writeGlslPassState(glsl_, glsl_.passes.front());
         writer_.close();
     }
@@ -290,7 +291,7 @@ private:
                 writer_.heading(drawn.name.empty() ? fmt::format("pass {}", pass.index)
                                                    : fmt::format("pass {}: {}", pass.index, drawn.name));
             }
-            if (!isOne() || hasShadowMaps(glsl_)) {
+            if (!isSetOnce()) {
                 writer_.add(fmt::format("glUseProgram({});", pass.program));
                 writeGlslPassState(glsl_, pass);
             } else

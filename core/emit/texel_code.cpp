@@ -245,7 +245,7 @@ private:
 
 namespace {
 
-/// Those that OpenGL doesn't refuse.
+/// Those that a program can call for; OpenGL may refuse them.
 std::vector<SubimageCode> subimageCodes(const Texture& texture, const TexturePictures& pictures,
                                         Target target) {
     std::vector<SubimageCode> codes;
@@ -253,8 +253,8 @@ std::vector<SubimageCode> subimageCodes(const Texture& texture, const TexturePic
     unlike.source = SourceKind::File;
     const LevelPlan plan = planLevels(texture, pictures, target);
     for (std::size_t i = 0; i < texture.subimages.size(); ++i) {
-        if (plan.levels.empty() || std::ranges::find(plan.refusedSubimages, i, &RefusedSubimage::index) !=
-                                       plan.refusedSubimages.end())
+        const auto refused = std::ranges::find(plan.refusedSubimages, i, &RefusedSubimage::index);
+        if (plan.levels.empty() || (refused != plan.refusedSubimages.end() && !refused->isCalled))
             continue;
         TextureLevels one;
         one.levels.push_back({texture.subimages[i].level, subimageOf(texture, pictures, target, i)});

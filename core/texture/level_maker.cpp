@@ -241,12 +241,7 @@ Result<void> LevelMaker::takePixels() {
                 takePicture(picture, face);
         }
     }
-    if (readsMemory() && readsFirst_ == ReadsFirst::No) {
-        if (Result<void> read = readLevels(); !read)
-            return read;
-    }
-    replaceInLevels();
-    return {};
+    return readsMemory() && readsFirst_ == ReadsFirst::No ? readLevels() : Result<void>();
 }
 
 /// Each given level may name a picture as large as a file may be, and many textures may name the same one. A
@@ -347,7 +342,6 @@ Result<TextureLevels> LevelMaker::run() {
     if (takesBlocks_) {
         if (const Result<void> taken = takeBlocks(); !taken)
             return fail(taken.error());
-        replaceInLevels();
     } else {
         if (const Result<void> taken = takePixels(); !taken)
             return fail(taken.error());
@@ -358,6 +352,7 @@ Result<TextureLevels> LevelMaker::run() {
     }
     if (texture_.mipmaps == MipPolicy::Missing)
         leaveOneOut();
+    replaceInLevels();
     out_.internalFormat = texture_.internalFormat;
     roundToBits();
     return std::move(out_);

@@ -30,6 +30,7 @@ struct PlannedUpload {
 struct RefusedSubimage {
     std::size_t index; ///< into Texture::subimages
     Sentence why;
+    bool isCalled; ///< OpenGL refuses the call; otherwise there is none
 };
 
 struct LevelPlan {

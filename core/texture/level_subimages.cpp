@@ -69,12 +69,13 @@ std::vector<RefusedSubimage> LevelMaker::refusedSubimages(const std::vector<Plan
     for (std::size_t i = 0; i < texture_.subimages.size(); ++i) {
         Sentence why = subimageRefusal(i);
         const auto level = std::ranges::find(levels, texture_.subimages[i].level, &PlannedLevel::number);
-        if (why.empty())
+        const bool isCalled = why.empty();
+        if (isCalled)
             why = level == levels.end()
                       ? Sentence("GL_INVALID_OPERATION: there is no level {0}", texture_.subimages[i].level)
                       : subimageRefusal(i, *level);
         if (!why.empty())
-            refused.push_back({i, std::move(why)});
+            refused.push_back({i, std::move(why), isCalled});
     }
     return refused;
 }

@@ -262,9 +262,12 @@ void drawFileTab(const Session& session, FileTabState& state, const Pictures& pi
     const InspectedFile& view = session.look.fileView;
     const Texture* texture = boundTexture(session);
     if (view.shown.empty()) {
-        wrappedText(texture ? "This texture is a built-in pattern without a file. Open an "
-                              "image with Ctrl+I to see the contents of its file."
-                            : N_("No texture is bound to this unit."));
+        wrappedText(!texture ? N_("No texture is bound to this unit.")
+                    : isDrawn(texture->source)
+                        ? N_("This texture is drawn in every frame. Open an image with "
+                             "Ctrl+I to see the contents of its file.")
+                        : N_("This texture is a built-in pattern without a file. Open an "
+                             "image with Ctrl+I to see the contents of its file."));
         noteItem("file:none");
         return;
     }

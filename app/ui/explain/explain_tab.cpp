@@ -154,9 +154,12 @@ std::size_t seenFragment(const Explanation& explanation) {
     return seen ? static_cast<std::size_t>(seen - explanation.fragments.data()) : 0;
 }
 
-/// The choice among the fragments that cover the pixel; nothing if there is only one.
+/// The choice among the fragments that cover the pixel. Of a single one of a later pass, what it is: the
+/// panels show another pass.
 void chooseFragment(ExplainTabState& state, const Explanation& explanation,
                     const std::vector<FragmentSteps>& fragments, std::size_t shown) {
+    if (fragments.size() == 1 && explanation.fragments.front().pass > 0)
+        dimText(titleOf(fragments.front()));
     if (fragments.size() < 2)
         return;
     labelText(Sentence("{0} fragments cover it:", explanation.fragmentCount), color::dim);

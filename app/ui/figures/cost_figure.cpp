@@ -26,7 +26,9 @@ constexpr double plotReach = 32; ///< ratios that the plot shows: from 1/32 to 3
 
 void start(const Session& session, const HeldLevels& held) {
     view::CostSubject subject{selectedUnit(session).target, held.levels, held.problem};
-    if (!held.problem.empty())
+    if (const Texture* texture = boundTexture(session); texture && isDrawn(texture->source))
+        subject.lack = N_("the driver draws the texture: nothing is uploaded");
+    if (!subject.lack.empty())
         subject.levels = nullptr; // they are of the texture before
     act(session, [subject = std::move(subject), request = held.request](Session& changed) {
         changed.cost = {subject, {}, changed.cost.driver, request};

@@ -24,6 +24,10 @@ constexpr std::array pictureRows{
                 s.texture().subimages = {{}, {.level = 9}};
             },
             [](Subject& s) { s.texture().subimages[1].level = 0; }},
+    Mistake{"SubimageWithoutItsFile", "missing-part", Error, "textures[0].subimages[0].file",
+            "an image file is needed, but none is named: nothing is replaced",
+            [](Subject& s) { s.texture().subimages = {{.source = SourceKind::File}}; },
+            [](Subject& s) { s.texture().subimages[0].source = SourceKind::Pattern; }},
     Mistake{"NothingInTheWindow", "empty-window", Warning, "passes[0].picture", "draws in the window",
             [](Subject& s) { s.pass().picture = 2; }},
     Mistake{"PictureThatNothingDraws", "picture-not-drawn", Warning, "textures[0].picture", "picture 3",

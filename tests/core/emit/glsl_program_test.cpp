@@ -156,6 +156,13 @@ TEST(GlslProgram, EachPassHasItsOwnProgram) {
                       HasSubstr("glEnable(GL_BLEND);")));
 }
 
+TEST(GlslProgram, CountsOnlyThePassesThatAreSeen) {
+    Scene scene = defaultScene();
+    scene.passes.push_back(scene.passes[0]);
+    scene.passes[0].picture = 3; // which nothing shows
+    EXPECT_THAT(textOf(scene), AllOf(HasSubstr("glUseProgram(program);"), Not(HasSubstr("pass1Program"))));
+}
+
 /// Random scenes: the result is valid C, or an error.
 TEST(GlslProgram, HasOneBufferOfEmbossedCoordinates) {
     Scene scene = defaultScene();

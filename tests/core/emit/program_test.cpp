@@ -787,7 +787,9 @@ TEST(EmittedPictures, AreRefusedWhereAFramebufferCannotBeDrawnInto) {
     scene.textures[0].pictureCall = PictureCall::CopyTexImage;
     EXPECT_EQ(refusal(), "");
     scene.textures[0].preparation.resize(1);
-    EXPECT_EQ(refusal(), "textures[0].preparation: programs show pictures of passes as they are drawn");
+    EXPECT_EQ(refusal(),
+              "textures[0].preparation: programs show pictures of passes as they are drawn, without "
+              "this");
 }
 
 /// Hidden parts cost nothing: while a number is dragged, the numbers of texels are not written.

@@ -142,6 +142,16 @@ TEST(Subimages, AreRefusedAsOpenGlDoes) {
     EXPECT_THAT(subject.note(), HasSubstr("no file is chosen"));
 }
 
+TEST(Subimages, AreRefusedByALevelThatIsLeftOut) {
+    Subject subject;
+    subject.texture.mipmaps = MipPolicy::Missing; // of 4 x 4 texels level 1
+    subject.texture.subimages[0] = {.level = 1, .source = SourceKind::File};
+    EXPECT_THAT(subject.note(), HasSubstr("there is no level 1"));
+    const LevelPlan plan = planLevels(subject.texture, subject.pictures, Target::Texture2D);
+    ASSERT_THAT(plan.refusedSubimages, SizeIs(1));
+    EXPECT_TRUE(plan.refusedSubimages[0].isCalled) << "a program makes the call";
+}
+
 TEST(Subimages, ReplaceWhatACustomUploadRead) {
     Subject subject;
     subject.texture.flip = FlipMode::Pixels;
