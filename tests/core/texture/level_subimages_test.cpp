@@ -34,7 +34,7 @@ struct Subject {
     }
     std::string note() const {
         const TextureLevels made = levels();
-        return made.notes.empty() ? "" : made.notes.front().english();
+        return made.notes.empty() ? "" : made.notes.back().english();
     }
 };
 
