@@ -7,6 +7,7 @@
 #include "texplorer/scene/model_mesh.h"
 #include "texplorer/scene/params/key_edits.h"
 #include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/pass_pictures.h"
 
 #include <fmt/core.h>
 
@@ -40,11 +41,29 @@ std::optional<Scene> withoutEmptyModels(const Scene& scene) {
     return drawn;
 }
 
+/// With the passes off that draw in pictures which no unit shows; nothing: there are none. What key frames
+/// show later isn't known here.
+std::optional<Scene> withoutUnseenPasses(const Scene& scene) {
+    const std::vector<PictureKey> shown = shownPictures(scene);
+    const auto isUnseen = [&](const Pass& pass) {
+        return pass.enabled && pass.picture != 0 &&
+               std::ranges::find(shown, pass.picture, &PictureKey::number) == shown.end();
+    };
+    if (!scene.timeline.keys.empty() || std::ranges::none_of(scene.passes, isUnseen))
+        return std::nullopt;
+    Scene drawn = scene;
+    for (Pass& pass : drawn.passes)
+        pass.enabled = pass.enabled && !isUnseen(pass);
+    return drawn;
+}
+
 } // namespace
 
 Result<std::vector<Line>> program(Flavour flavour, const Scene& scene, const ImageSource& images,
                                   const ProgramOptions& options, TextureCodes& codes) {
     if (const std::optional<Scene> drawn = withoutEmptyModels(scene))
+        return program(flavour, *drawn, images, options, codes);
+    if (const std::optional<Scene> drawn = withoutUnseenPasses(scene))
         return program(flavour, *drawn, images, options, codes);
     if (scene.timeline.keys.empty()) {
         KeyFrames none;

@@ -283,8 +283,13 @@ void fitUpload(Texture& texture, Temper temper, Dice& dice) {
     upload.skipRows %= 64;
 }
 
-/// Few and small: each frame draws all of them. Most subimages fit. Programs can draw most pictures.
-void fitPicture(Texture& texture, Dice& dice) {
+/// Most are few and small, as each frame draws all of them, and most subimages fit. Programs can draw most
+/// pictures.
+void fitPicture(Texture& texture, Temper temper, Dice& dice) {
+    if (temper == Temper::Wild && dice.chance(3)) {
+        texture.pictureSize = texture.frames > 1 ? std::min(texture.pictureSize, 64) : texture.pictureSize;
+        return;
+    }
     if (texture.source == SourceKind::Picture && !dice.chance(4)) {
         texture.preparation.clear();
         texture.subimages.clear();
@@ -326,7 +331,7 @@ void fit(Scene& scene, Temper temper, Generator& generator, Dice& dice, bool has
     }
     for (Texture& texture : scene.textures) {
         fitUpload(texture, temper, dice);
-        fitPicture(texture, dice);
+        fitPicture(texture, temper, dice);
         if (hasFiles)
             continue;
         if (texture.source == SourceKind::File)
@@ -339,7 +344,8 @@ void fit(Scene& scene, Temper temper, Generator& generator, Dice& dice, bool has
             subimage.source = SourceKind::Pattern;
     }
     for (Pass& pass : scene.passes) {
-        pass.picture = dice.chance(3) ? 1 + pass.picture % 2 : 0;
+        if (temper != Temper::Wild || !dice.chance(3))
+            pass.picture = dice.chance(3) ? 1 + pass.picture % 2 : 0;
         if (dice.chance(2))
             pass.models = someModels(scene, dice);
         for (Unit& unit : pass.units) {

@@ -197,6 +197,7 @@ class Schema(Texshot):
         start = {"models": [{}], "textures": [{}], "passes": [{}], "timeline": [{"path": "view.azimuth", "value": 1}]}
         places = {"KeyFrame": "timeline/0", "Projector": "light/projector", "Material": "material", "View": "view", "Light": "light",
                   "Texture": "textures/0", "Level": "textures/0/levels/0", "ImageStep": "textures/0/preparation/0",
+                  "Subimage": "textures/0/subimages/0",
                   "Model": "models/0", "ModelMaterial": "models/0/material", "Mesh": "models/0/mesh", "ModelUnit": "models/0/units/0",
                   "Pass": "passes/0", "Fog": "passes/0/fog", "Unit": "passes/0/units/0",
                   "Combine": "passes/0/units/0/combine", "Emboss": "passes/0/units/0/emboss", "Upload": "textures/0/upload",
