@@ -137,7 +137,10 @@ Result<view::Frame> SceneRenderer::draw(const Scene& scene, const ImageSource& i
             return fail(all.error());
         if (const Result<void> bound = state.target.bind(size); !bound)
             return fail(bound.error());
-        state.drawScene(hasPictures(*standing) ? picturedScene(*standing, 0) : *standing, *all, time, size);
+        if (hasPictures(*standing))
+            state.drawScene(picturedScene(*standing, 0), *all, time, size);
+        else // without a copy
+            state.drawScene(*standing, *all, time, size);
         state.remember(*standing, time, size);
         frame.pictures = all->pictures();
         // Pictures may show textures as they were before this frame.
