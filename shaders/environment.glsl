@@ -2,7 +2,7 @@
 // piece is a cell of the tables: an environment mode with the base internal formats that share it. A format
 // without colour leaves the incoming colour alone, one without alpha the incoming alpha.
 
-//@ signed
+//@ unclamped
 
     // What a unit gives lies between 0 and 1; the texels of this format need not.
     color = clamp(color, 0.0, 1.0);

@@ -18,6 +18,7 @@ constexpr std::array neededFramebuffers{"GL_VERSION_3_0", "GL_ARB_framebuffer_ob
 constexpr const char* anisotropy = "GL_EXT_texture_filter_anisotropic";
 constexpr const char* s3tc = "GL_EXT_texture_compression_s3tc";
 constexpr std::array rgtc{"GL_VERSION_3_0", "GL_ARB_texture_compression_rgtc"};
+constexpr std::array floatTextures{"GL_VERSION_3_0", "GL_ARB_texture_float"};
 constexpr std::array seamlessCubeMaps{"GL_VERSION_3_2", "GL_ARB_seamless_cube_map"};
 
 /// GLEW checks for all names of a string; here any one of them is enough.
@@ -103,6 +104,7 @@ Result<view::Capabilities> loadCapabilities() {
 
     capabilities.s3tc = has(s3tc);
     capabilities.rgtc = std::ranges::any_of(rgtc, has);
+    capabilities.floatTextures = std::ranges::any_of(floatTextures, has);
     capabilities.seamlessCubeMaps = std::ranges::any_of(seamlessCubeMaps, has);
     capabilities.shaders = has("GL_VERSION_3_3");
     capabilities.max3DTextureSize = integer(GL_MAX_3D_TEXTURE_SIZE);

@@ -39,6 +39,10 @@ Sentence lackingFormat(const TextureLevels& levels, const view::Capabilities& ca
     std::optional<BlockFormat> format = levels.driverFormat;
     if (const auto* blocks = std::get_if<BlockImage>(&*levels.levels.front().surface))
         format = blocks->format;
+    if (!format && isFloat(levels.internalFormat) && !capabilities.floatTextures)
+        return Sentence("the driver has no {0} ({1}); uploaded with 8 bits, limited to 0 … 1",
+                        ProperName{rowOf(levels.internalFormat).name},
+                        ProperName{rowOf(levels.internalFormat).since});
     if (!format || (isS3tc(*format) ? capabilities.s3tc : capabilities.rgtc))
         return {};
     const EnumRow& row = rowOf(*format);
@@ -120,7 +124,7 @@ void LiveTexture::begin(const LevelsRequest& request, std::shared_ptr<const Prep
         if (const Sentence lack = lackingFormat(**levels, *capabilities); !lack.empty()) {
             errors.add(Sentence("{0}: {1}", ProperName{where}, lack));
             TextureLevels pixels = **levels;
-            decompress(pixels);
+            makeBytes(pixels);
             levels = std::make_shared<const PreparedLevels>(std::move(pixels));
         }
     }
@@ -134,12 +138,13 @@ void LiveTexture::finish() {
     const TextureLevels& levels = **next.levels;
     lastLevel_ = levels.lastLevel;
     lateFlip_ = levels.lateFlip;
-    hasNegative_ = std::ranges::any_of(levels.levels, [](const TextureLevel& each) {
-        const auto* blocks = std::get_if<BlockImage>(&*each.surface);
-        return blocks &&
-               (blocks->format == BlockFormat::Bc4Signed || blocks->format == BlockFormat::Bc5Signed);
-    });
     shape_ = reference::shapeOf(levels, next.request.target);
+    isUnclamped_ =
+        isFloat(shape_.internalFormat) || std::ranges::any_of(levels.levels, [](const TextureLevel& each) {
+            const auto* blocks = std::get_if<BlockImage>(&*each.surface);
+            return blocks &&
+                   (blocks->format == BlockFormat::Bc4Signed || blocks->format == BlockFormat::Bc5Signed);
+        });
     object_ = std::move(next.object);
     stored_ = std::make_shared<const view::StoredTexture>(object_.stored());
     errors_ = std::move(next.errors);

@@ -32,7 +32,7 @@ public:
     [[nodiscard]] LateFlip lateFlip() const { return lateFlip_; }
 
     /// Whether texels can be negative: those of a signed format.
-    [[nodiscard]] bool hasNegative() const { return hasNegative_; }
+    [[nodiscard]] bool isUnclamped() const { return isUnclamped_; }
 
     /// The base format and the extents of the levels, without texels: enough to check completeness.
     [[nodiscard]] const reference::SampledTexture& shape() const { return shape_; }
@@ -73,7 +73,7 @@ private:
     TextureObject object_;
     int lastLevel_ = 1000;
     LateFlip lateFlip_ = LateFlip::None;
-    bool hasNegative_ = false;
+    bool isUnclamped_ = false;
     reference::SampledTexture shape_;
     std::shared_ptr<const view::StoredTexture> stored_;
     GlErrors errors_;

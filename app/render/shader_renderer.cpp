@@ -31,7 +31,7 @@ glsl::SampledUnits sampledUnits(const BoundTextures& textures) {
     glsl::SampledUnits units;
     std::ranges::transform(textures, units.begin(), [](const BoundTexture& texture) {
         return texture.name != 0
-                   ? std::optional(glsl::SampledUnit{texture.format, texture.lateFlip, texture.hasNegative,
+                   ? std::optional(glsl::SampledUnit{texture.format, texture.lateFlip, texture.isUnclamped,
                                                      texture.hasDepths, texture.compares})
                    : std::nullopt;
     });

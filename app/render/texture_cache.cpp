@@ -60,7 +60,7 @@ BoundTexture TextureCache::prepare(const TextureUse& use, Target target, const I
     return {slot.object().name(),
             slot.lateFlip(),
             hasDepths ? baseFormat(texture.depthMode) : slot.shape().format,
-            slot.hasNegative(),
+            slot.isUnclamped(),
             applied.texture.lodBias,
             hasDepths,
             hasDepths && texture.compareMode == CompareMode::RToTexture};

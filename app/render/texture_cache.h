@@ -5,9 +5,9 @@
 #include "app/render/live_texture.h"
 #include "app/view/driver_facts.h"
 #include "texplorer/diagnosis/visited_texels.h"
+#include "texplorer/reference/drawn_pictures.h"
 #include "texplorer/reference/light_depth.h"
 #include "texplorer/scene/scene.h"
-#include "texplorer/reference/drawn_pictures.h"
 #include "texplorer/texture/image_source.h"
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct BoundTexture {
     GLuint name = 0; ///< 0: drawn without a texture, as with an incomplete one (section 3.8.10)
     LateFlip lateFlip = LateFlip::None;
     BaseFormat format = BaseFormat::Rgba; ///< the base internal format, used by the environment
-    bool hasNegative = false;             ///< its format is signed
+    bool isUnclamped = false;             ///< its texels may lie outside 0 … 1
     float lodBias = 0;                    ///< from the texture object
     bool hasDepths = false;               ///< depths instead of colours
     bool compares = false;                ///< compares r with its depths
@@ -47,7 +47,8 @@ public:
     /// The images including the light's view and the pictures of passes, which `draw` draws: the same ones
     /// for all users of this cache. The first scene is `scene` at that time.
     [[nodiscard]] Result<ImageSource> withDrawn(const ImageSource& images, const Scene& standing,
-                                                const Scene& scene, double time, const reference::DrawPicture& draw) {
+                                                const Scene& scene, double time,
+                                                const reference::DrawPicture& draw) {
         return pictures_.addedTo(lightDepths_.addedTo(images, standing, time), scene, time, draw, revision_);
     }
 

@@ -30,6 +30,7 @@ GLenum pixelFormat(PixelFormat format) {
     case PixelFormat::Rgb8:
         return GL_RGB;
     case PixelFormat::Rgba8:
+    case PixelFormat::RgbaFloat:
         return GL_RGBA;
     case PixelFormat::Depth32:
         return GL_DEPTH_COMPONENT;
@@ -38,7 +39,9 @@ GLenum pixelFormat(PixelFormat format) {
 }
 
 GLenum pixelType(PixelFormat format) {
-    return format == PixelFormat::Depth32 ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE;
+    return format == PixelFormat::Depth32     ? GL_UNSIGNED_INT
+           : format == PixelFormat::RgbaFloat ? GL_FLOAT
+                                              : GL_UNSIGNED_BYTE;
 }
 
 /// What glTexImage is given of an image. The driver reads the memory of a custom upload itself.
@@ -182,14 +185,17 @@ Result<void> readImages(GLenum aim, int face, int maxLevels, std::vector<Texture
         const auto stored = static_cast<std::uint32_t>(ask(level, GL_TEXTURE_INTERNAL_FORMAT));
         const EnumRow* row = findRow(blockFormatRows, stored);
         if (ask(level, GL_TEXTURE_COMPRESSED) == GL_FALSE || !row) { // OpenGL decompresses the others
-            const PixelFormat format =
-                ask(level, GL_TEXTURE_DEPTH_SIZE) > 0 ? PixelFormat::Depth32 : PixelFormat::Rgba8;
+            const bool isOfFloats = findRow(internalFormatRows, stored) && isFloat(InternalFormat{stored});
+            const PixelFormat format = ask(level, GL_TEXTURE_DEPTH_SIZE) > 0 ? PixelFormat::Depth32
+                                       : isOfFloats                          ? PixelFormat::RgbaFloat
+                                                                             : PixelFormat::Rgba8;
             Image image = Image::uninitialised(format, width, std::max(height, 1), std::max(depth, 1));
             glGetTexImage(aim, level, pixelFormat(format), pixelType(format), image.pixels.data());
             levels.push_back({level, std::move(image), face});
             continue;
         }
-        BlockImage image = BlockImage::uninitialised(static_cast<BlockFormat>(stored), width, height, std::max(depth, 1));
+        BlockImage image =
+            BlockImage::uninitialised(static_cast<BlockFormat>(stored), width, height, std::max(depth, 1));
         const auto size = static_cast<std::size_t>(ask(level, GL_TEXTURE_COMPRESSED_IMAGE_SIZE));
         if (size != image.blocks.size())
             return fail(ErrorCode::Driver,

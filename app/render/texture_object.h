@@ -41,8 +41,8 @@ public:
 
     [[nodiscard]] GLuint name() const { return handle_.name(); }
 
-    /// The levels as the driver holds them: blocks if they are compressed, Depth32 for depths, else Rgba8;
-    /// missing levels are left out. Binds the texture.
+    /// The levels as the driver holds them: blocks if they are compressed, Depth32 for depths, RgbaFloat for
+    /// floats, else Rgba8; missing levels are left out. Binds the texture.
     [[nodiscard]] Result<std::vector<TextureLevel>> read() const;
 
     /// What OpenGL says of the levels. Binds the texture.

@@ -16,6 +16,7 @@ struct Capabilities {
     float maxAnisotropy = 1;       ///< 1 where GL_EXT_texture_filter_anisotropic is missing
     bool s3tc = false;             ///< DXT1, DXT3, DXT5
     bool rgtc = false;             ///< BC4, BC5
+    bool floatTextures = false;    ///< GL_ARB_texture_float
     bool seamlessCubeMaps = false; ///< GL_TEXTURE_CUBE_MAP_SEAMLESS
     bool nonPowerOfTwo = true;     ///< in every OpenGL that Texplorer accepts: since 2.0
     bool shaders = false;          ///< GLSL 3.30, which the shader renderer is written in

@@ -20,6 +20,7 @@ namespace texplorer::view {
     facts.nonPowerOfTwo = capabilities.nonPowerOfTwo;
     facts.s3tc = capabilities.s3tc;
     facts.rgtc = capabilities.rgtc;
+    facts.floatTextures = capabilities.floatTextures;
     facts.seamlessCubeMaps = capabilities.seamlessCubeMaps;
     facts.textureBorders = capabilities.textureBorders;
     return facts;

@@ -46,6 +46,8 @@ constexpr std::array rows{
                 [](Capabilities& driver, int) { driver.s3tc = false; }},
     PretenceRow{"no-rgtc", N_("no BC4 and BC5 (no GL_ARB_texture_compression_rgtc)"), 0, 0,
                 [](Capabilities& driver, int) { driver.rgtc = false; }},
+    PretenceRow{"no-float-textures", N_("no formats of floats (no GL_ARB_texture_float)"), 0, 0,
+                [](Capabilities& driver, int) { driver.floatTextures = false; }},
     PretenceRow{"no-anisotropy", N_("no anisotropic filtering (no GL_EXT_texture_filter_anisotropic)"), 0, 0,
                 [](Capabilities& driver, int) { driver.maxAnisotropy = 1; }},
     PretenceRow{"max-anisotropy=", N_("an anisotropy of at most this (GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT)"), 1,
@@ -97,6 +99,7 @@ DriverFacts Pretence::facts() const {
                            .maxAnisotropy = DriverFacts{}.maxAnisotropy,
                            .s3tc = true,
                            .rgtc = true,
+                           .floatTextures = true,
                            .seamlessCubeMaps = true,
                            .textureBorders = true}));
 }

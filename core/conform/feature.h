@@ -19,7 +19,7 @@ inline constexpr int extent = 64;
 inline constexpr int scenesPerState = 4;
 
 /// Of all features together.
-inline constexpr int defaultScenes = 3412;
+inline constexpr int defaultScenes = 3508;
 
 struct Feature {
     std::string_view name;

@@ -35,6 +35,8 @@ constexpr std::array rows{
             rules::exact},
     Feature{"internal-formats", "formats of few bits and of sRGB × filters × wrap modes", "3.8.1", 112,
             scenes::internalFormats, rules::texelEdge, rules::exact},
+    Feature{"float-formats", "formats of floats × filters × modes; texels beyond 0 and 1", "3.8.13", 96,
+            scenes::floatFormats, rules::texelEdge, rules::exact},
     Feature{"preparation", "one to three operations on the image before its levels are made", "3.6.5", 132,
             scenes::preparation, rules::exact, rules::exact},
     Feature{"upload", "formats × types × alignments, row lengths, scale and bias, that fit the memory or not",
@@ -118,7 +120,7 @@ constexpr int sumOfWeights() {
         sum += row.scenes;
     return sum;
 }
-static_assert(rows.size() == 50 && sumOfWeights() == defaultScenes);
+static_assert(rows.size() == 51 && sumOfWeights() == defaultScenes);
 
 } // namespace
 

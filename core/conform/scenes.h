@@ -58,6 +58,7 @@ Scene givenLevels(int number, Dice& state, Dice& values);
 Scene internalFormats(int number, Dice& state, Dice& values);
 Scene depthTextures(int number, Dice& state, Dice& values);
 Scene preparation(int number, Dice& state, Dice& values);
+Scene floatFormats(int number, Dice& state, Dice& values);
 Scene upload(int number, Dice& state, Dice& values);
 Scene environment(int number, Dice& state, Dice& values);
 Scene combine(int number, Dice& state, Dice& values);

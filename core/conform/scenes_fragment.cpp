@@ -94,6 +94,13 @@ constexpr auto unusualFormats = [] {
     return formats;
 }();
 
+constexpr auto formatsOfFloats = [] {
+    constexpr auto isOne = [](const FormatFacts& facts) { return isFloat(facts.format); };
+    std::array<InternalFormat, std::ranges::count_if(formatFacts, isOne)> formats{};
+    std::ranges::transform(formatFacts | std::views::filter(isOne), formats.begin(), &FormatFacts::format);
+    return formats;
+}();
+
 /// One that the format has; rarely a signed one, which only OpenGL's renderers are compared with.
 TransferType typeFor(TransferFormat format, Dice& values) {
     constexpr std::array signedTypes{TransferType::Byte, TransferType::Short, TransferType::Int};
@@ -138,6 +145,32 @@ Scene preparation(int number, Dice& state, Dice& values) {
         step.share = values.number(0.2F, 1);
         steps.push_back(step);
     }
+    return scene;
+}
+
+Scene floatFormats(int number, Dice& state, Dice& values) {
+    Scene scene = internalFormats(0, state, values);
+    Texture& texture = scene.textures[0];
+    texture.internalFormat = formatsOfFloats[static_cast<std::size_t>(number) % formatsOfFloats.size()];
+    const bool linear = static_cast<std::size_t>(number) / formatsOfFloats.size() % 2 == 1;
+    texture.magFilter = linear ? MagFilter::Linear : MagFilter::Nearest;
+    texture.minFilter = linear ? MinFilter::Linear : MinFilter::Nearest;
+    Upload& upload = texture.upload;
+    upload.custom = true;
+    upload.memory = MemoryRows::Layout;
+    upload.memoryType = values.chance(2) ? TransferType::Float : TransferType::UnsignedByte;
+    upload.type = upload.memoryType;
+    for (int i = 0; i < 4; ++i) {
+        upload.scale[i] = values.number(0.5F, 4);
+        upload.bias[i] = values.number(-2, 1);
+    }
+    Unit& unit = scene.passes[0].units[0];
+    const BaseFormat base = baseFormat(texture.internalFormat);
+    unit.envMode = state.any<EnvMode>();
+    if (unit.envMode == EnvMode::Decal && std::ranges::find(definedDecals, base) == definedDecals.end())
+        unit.envMode = EnvMode::Modulate;
+    unit.combine = anyCombine(number, state, 1);
+    unit.envColor = values.color();
     return scene;
 }
 

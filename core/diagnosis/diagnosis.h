@@ -26,6 +26,7 @@ struct DriverFacts {
     bool nonPowerOfTwo = true;
     bool s3tc = true;
     bool rgtc = true;
+    bool floatTextures = true;
     bool seamlessCubeMaps = true;
     bool textureBorders = true; ///< texture borders are supported
 

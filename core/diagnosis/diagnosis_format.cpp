@@ -4,6 +4,8 @@
 #include "texplorer/image/convert.h"
 #include "texplorer/reference/sampling/lod.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -57,6 +59,11 @@ bool changesSlowly(const Image& image, InternalFormat format) {
         }
     }
     return 2 * slow > all;
+}
+
+/// Whether a texture may keep texels outside 0 … 1.
+bool exceedsOne(const Texture& texture) {
+    return isFloat(texture.internalFormat) && texture.upload.custom;
 }
 
 /// OpenGL 2.1, section 3.8.1.
@@ -127,12 +134,34 @@ void averagedAsStored(const Case& about, Report& report) {
     });
 }
 
+/// Section 3.8.13 limits what a unit gives.
+void passedOn(const Case& about, Report& report) {
+    for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
+        const Pass& pass = about.scene.passes[p];
+        bool follows = pass.fog.enabled;
+        for (std::size_t u = pass.units.size(); pass.enabled && u-- > 0;) {
+            const Unit& unit = pass.units[u];
+            if (!about.works(unit))
+                continue;
+            const Texture& texture = about.scene.textures[static_cast<std::size_t>(unit.texture)];
+            if (follows && unit.envMode == EnvMode::Replace && exceedsOne(texture))
+                report.add(fmt::format("{}.{}.{}", elementOf<&Scene::passes>(p), elementOf<&Pass::units>(u),
+                                       keyOf<&Unit::envMode>()),
+                           Sentence("what {0} gives is limited to 0 … 1; Mesa passes a texel of {1} on as it "
+                                    "is, and draws another colour after the next step",
+                                    named(unit.envMode), named(texture.internalFormat)));
+            follows = true;
+        }
+    }
+}
+
 constexpr std::array formatRuleRows{
     Rule{"format-refused", Severity::Error, refused, true},
     Rule{"srgb-not-encoded", Severity::Note, decodedOnly}, // the cause first
     Rule{"srgb-levels", Severity::Note, averagedAsStored},
     Rule{"drivers-choice", Severity::Note, driversChoice},
     Rule{"banding", Severity::Note, banding},
+    Rule{"float-passed-on", Severity::Note, passedOn},
 };
 
 } // namespace

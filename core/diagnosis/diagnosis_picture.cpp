@@ -11,11 +11,6 @@
 namespace texplorer::diagnosis {
 namespace {
 
-bool isShown(const Scene& scene, int picture) {
-    return std::ranges::any_of(shownPictures(scene),
-                               [picture](const PictureKey& key) { return key.number == picture; });
-}
-
 std::string picturePath(std::size_t pass) {
     return fmt::format("{}.{}", elementOf<&Scene::passes>(pass), keyOf<&Pass::picture>());
 }
@@ -23,7 +18,7 @@ std::string picturePath(std::size_t pass) {
 void pictureNotShown(const Case& about, Report& report) {
     for (std::size_t p = 0; p < about.scene.passes.size(); ++p) {
         const Pass& pass = about.scene.passes[p];
-        if (pass.enabled && pass.picture != 0 && !isShown(about.scene, pass.picture))
+        if (pass.enabled && !isSeen(about.scene, pass))
             report.add(picturePath(p), Sentence("no unit shows picture {0}", pass.picture),
                        Fix{N_("Draw in the window"), {{picturePath(p), "0"}}});
     }
@@ -44,9 +39,19 @@ void pictureNotDrawn(const Case& about, Report& report) {
         const auto draws = [&](const Pass& pass) {
             return pass.picture == texture.picture && drawsAnything(about.scene, pass);
         };
-        if (std::ranges::none_of(about.scene.passes, draws))
-            report.add(path + keyOf<&Texture::picture>(),
-                       Sentence("no pass draws in picture {0}: it shows the background", texture.picture));
+        if (std::ranges::any_of(about.scene.passes, draws))
+            return;
+        const std::string& key = keyOf<&Texture::picture>();
+        std::vector<Fix> fixes;
+        const auto other = std::ranges::find_if(about.scene.passes, [&](const Pass& pass) {
+            return pass.picture != 0 && drawsAnything(about.scene, pass);
+        });
+        if (other != about.scene.passes.end())
+            fixes.push_back({Sentence("Show picture {0}", other->picture),
+                             {{path + key, std::to_string(other->picture)}}});
+        report.add(path + key,
+                   Sentence("no pass draws in picture {0}: it shows the background", texture.picture),
+                   std::move(fixes));
     });
 }
 

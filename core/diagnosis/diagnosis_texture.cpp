@@ -275,8 +275,12 @@ void heldBackElsewhere(const Case& about, Report& report) {
 }
 
 void lacksFormat(const Case& about, Report& report) {
-    forEachTexture(about, [&](const Texture&, const TextureFacts& facts, const std::string& path) {
+    forEachTexture(about, [&](const Texture& texture, const TextureFacts& facts, const std::string& path) {
         const std::optional<BlockFormat>& blocks = facts.targets.front().plan.blocks;
+        if (!blocks && isFloat(texture.internalFormat) && !about.driver.floatTextures)
+            report.add(path + keyOf<&Texture::internalFormat>(),
+                       Sentence("the driver has no {0}: the texture has 8 bits a component, limited to 0 … 1",
+                                named(texture.internalFormat)));
         if (!blocks || (isS3tc(*blocks) ? about.driver.s3tc : about.driver.rgtc))
             return;
         report.add(path + keyOf<&Texture::compression>(),

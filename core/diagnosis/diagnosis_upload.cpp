@@ -2,6 +2,9 @@
 
 #include "texplorer/diagnosis/diagnosis_rules.h"
 
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -249,6 +252,36 @@ void beyondEnd(const Case& about, Report& report) {
     });
 }
 
+/// Section 3.6.4: what fixed-point formats store is limited.
+void limited(const Case& about, Report& report) {
+    for (std::size_t i = 0; i < about.textures.size(); ++i) {
+        const TextureFacts& facts = about.textures[i];
+        const Texture& texture = about.scene.textures[i];
+        const Upload& upload = texture.upload;
+        const std::optional<PlannedUpload>& plan = facts.targets.front().plan.upload;
+        if (!facts.image || !facts.shown || !plan || !plan->refusal.empty() ||
+            isFloat(texture.internalFormat) || isDepth(texture.internalFormat))
+            continue;
+        const glm::vec4 white = upload.scale + upload.bias;
+        const glm::vec4 least = glm::min(upload.bias, white);
+        const glm::vec4 most = glm::max(upload.bias, white);
+        const bool isAbove = glm::any(glm::greaterThan(most, glm::vec4(1)));
+        if (!isAbove && !glm::any(glm::lessThan(least, glm::vec4(0))))
+            continue;
+        const std::string path = elementOf<&Scene::textures>(i) + ".";
+        const InternalFormat floats = floatFormat(baseFormat(texture.internalFormat));
+        const bool byScale = upload.scale != glm::vec4(1);
+        report.add(path + keyOf<&Texture::upload>() + "." +
+                       (byScale ? keyOf<&Upload::scale>() : keyOf<&Upload::bias>()),
+                   isAbove ? Sentence("some components may become larger than 1, and {0} stores them as 1",
+                                      named(texture.internalFormat))
+                           : Sentence("some components may become less than 0, and {0} stores them as 0",
+                                      named(texture.internalFormat)),
+                   Fix{Sentence("Make it {0}", named(floats)),
+                       {{path + keyOf<&Texture::internalFormat>(), nameOf(floats)}}});
+    }
+}
+
 /// Table 2.9, and table 2.10 of OpenGL 4.2's section 2.3.5.
 void signedNumbers(const Case& about, Report& report) {
     forEachUpload(about, false, [&](const Read& read) {
@@ -274,6 +307,7 @@ constexpr std::array uploadRuleRows{
     Rule{"upload-pixels", Severity::Warning, pixels},
     Rule{"upload-rows", Severity::Warning, rows},
     Rule{"upload-end", Severity::Warning, beyondEnd},
+    Rule{"upload-limited", Severity::Note, limited},
     Rule{"upload-signed", Severity::Note, signedNumbers},
 };
 

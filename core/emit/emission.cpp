@@ -2,6 +2,7 @@
 
 #include "texplorer/files/file_io.h"
 #include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/pass_pictures.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
@@ -44,6 +45,7 @@ bool isTransferred(const Texture& texture, const TextureImage& image) {
         texture.transparency != Transparency::File || texture.border != 0 ||
         texture.npot != NpotPolicy::Keep || texture.oversize != Oversize::None ||
         isDepth(texture.internalFormat) || hasFewBits(texture.internalFormat) ||
+        isFloat(texture.internalFormat) || // which limits nothing
         texture.source == SourceKind::LightDepth || texture.compression == Compression::Driver ||
         texture.compression == Compression::Cached || texture.upload.custom ||
         !std::holds_alternative<Image>(image.surfaces.front()))

@@ -192,8 +192,6 @@ void writeShadowMapCalls(Emission& emission);
 [[nodiscard]] bool spinsInLight(const Emission& emission);
 /// Where a program can't draw what the light sees: why.
 [[nodiscard]] Result<void> checkShadowMaps(const Scene& scene, const KeyFrames& keys);
-/// Whether a pass draws in the window, or in a picture that a unit shows.
-[[nodiscard]] bool isSeen(const Scene& scene, const Pass& pass);
 /// The objects that show pictures of passes, in the order in which those are drawn, and the passes of each.
 [[nodiscard]] std::vector<std::size_t> picturesOf(const Emission& emission);
 [[nodiscard]] std::vector<std::size_t> passesOf(const Emission& emission, std::size_t object);

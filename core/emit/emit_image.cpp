@@ -193,7 +193,13 @@ private:
         }
         if (level.source == TexelSource::Depths) {
             const std::string name = own + "Depths";
-            emission_.addData("GLuint", name, level.bytes.size() / 4, numbersOf(level, true));
+            emission_.addData("GLuint", name, level.bytes.size() / 4,
+                              numbersOf(level, NumberType::UnsignedInt));
+            return name;
+        }
+        if (level.source == TexelSource::Floats) {
+            const std::string name = own + "Floats";
+            emission_.addData("GLfloat", name, level.bytes.size() / 4, numbersOf(level, NumberType::Float));
             return name;
         }
         if (level.source == TexelSource::Memory)
@@ -245,8 +251,8 @@ private:
         return variable;
     }
 
-    [[nodiscard]] Numbers numbersOf(const LevelCode& level, bool wide = false) const {
-        return {[owner = owner_, &level, wide] { return numbersText(level.bytes, wide); },
+    [[nodiscard]] Numbers numbersOf(const LevelCode& level, NumberType type = NumberType::Byte) const {
+        return {[owner = owner_, &level, type] { return numbersText(level.bytes, type); },
                 std::shared_ptr<const void>(owner_, &level)};
     }
 
@@ -272,7 +278,7 @@ private:
         if (of.source == TexelSource::Compressed)
             writer_.add(compressedCall(of, texels));
         else
-            writer_.add(imageCall(level, size, texels, of.source == TexelSource::Depths));
+            writer_.add(imageCall(level, size, texels, of.source));
         if (isCube())
             writer_.outdent();
     }
@@ -329,14 +335,16 @@ private:
     /// glTexImage with all of its arguments.
     [[nodiscard]] std::vector<Part> imageCall(const std::string& level,
                                               const std::array<std::string, 3>& size,
-                                              const std::string& texels, bool depths = false) const {
-        return imageCall(formatRow(), level, size, texels, depths);
+                                              const std::string& texels,
+                                              TexelSource source = TexelSource::Listed) const {
+        return imageCall(formatRow(), level, size, texels, source);
     }
 
     /// The call of a row, with all of its arguments.
     [[nodiscard]] std::vector<Part> imageCall(const ParamRow& row, const std::string& level,
                                               const std::array<std::string, 3>& size,
-                                              const std::string& texels, bool depths = false) const {
+                                              const std::string& texels,
+                                              TexelSource source = TexelSource::Listed) const {
         const EnumRow* format = findRow(row.choices, std::get<EnumValue>(row.read(&texture_)).number);
         std::string words = callFor(row, holder_.target);
         const std::size_t bracket = words.find('(');
@@ -369,10 +377,13 @@ private:
                 return std::vector<Part>{
                     choice(rowOf(code_.call->layout.type).name, uploadPath(keyOf<&Upload::type>()))};
             if (word == "format")
-                return std::vector<Part>{
-                    plain(std::string(depths ? depthPixels : rowOf(BaseFormat::Rgba).name))};
+                return std::vector<Part>{plain(
+                    std::string(source == TexelSource::Depths ? depthPixels : rowOf(BaseFormat::Rgba).name))};
             if (word == unsignedByteType)
-                return std::vector<Part>{plain(std::string(depths ? unsignedIntType : unsignedByteType))};
+                return std::vector<Part>{
+                    plain(std::string(source == TexelSource::Depths   ? unsignedIntType
+                                      : source == TexelSource::Floats ? rowOf(TransferType::Float).name
+                                                                      : unsignedByteType))};
             if (word == "pixels")
                 return std::vector<Part>{plain(texels)};
             return std::nullopt;

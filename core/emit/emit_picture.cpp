@@ -83,6 +83,10 @@ Result<void> checkPicture(const Scene& scene, const TextureObject& object) {
         return isDepth(texture.internalFormat)
                    ? refuse("programs copy colours", path, keyOf<&Texture::internalFormat>())
                    : Result<void>();
+    if (isFloat(texture.internalFormat))
+        return refuse(Sentence("programs draw into textures of limited colours; one of {0} can be copied",
+                               rowOf(texture.internalFormat).name),
+                      path, keyOf<&Texture::internalFormat>());
     if (!isRenderable(texture.internalFormat))
         return refuse(Sentence("nothing can be drawn into a texture of {0}; it can be copied",
                                rowOf(texture.internalFormat).name),
@@ -94,12 +98,6 @@ Result<void> checkPicture(const Scene& scene, const TextureObject& object) {
 }
 
 } // namespace
-
-bool isSeen(const Scene& scene, const Pass& pass) {
-    return pass.picture == 0 || std::ranges::any_of(shownPictures(scene), [&](const PictureKey& key) {
-               return key.number == pass.picture;
-           });
-}
 
 std::vector<std::size_t> picturesOf(const Emission& emission) {
     std::vector<std::size_t> pictures;

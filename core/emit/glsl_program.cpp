@@ -24,7 +24,8 @@ std::optional<glsl::SampledUnit> sampledUnit(const Emission& emission, const Sce
     if (!appliedTexture(texture, code->shape, code->lastLevel, {}).completeness.complete())
         return std::nullopt;
     const bool hasDepths = isDepth(code->shape.internalFormat);
-    const bool hasNegative = code->blocks == BlockFormat::Bc4Signed || code->blocks == BlockFormat::Bc5Signed;
+    const bool isUnclamped = isFloat(code->shape.internalFormat) || code->blocks == BlockFormat::Bc4Signed ||
+                             code->blocks == BlockFormat::Bc5Signed;
     std::array<bool, 3> ends{};
     if (!hasDepths && !readsNearestAlone(texture) && unit.target != Target::CubeMap)
         ends = {texture.wrapS == Wrap::Clamp,
@@ -32,7 +33,7 @@ std::optional<glsl::SampledUnit> sampledUnit(const Emission& emission, const Sce
                 texture.wrapR == Wrap::Clamp && unit.target == Target::Texture3D};
     return glsl::SampledUnit{hasDepths ? baseFormat(texture.depthMode) : code->shape.format,
                              code->lateFlip,
-                             hasNegative,
+                             isUnclamped,
                              hasDepths,
                              hasDepths && texture.compareMode == CompareMode::RToTexture,
                              ends};

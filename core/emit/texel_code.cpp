@@ -7,8 +7,12 @@
 #include "texplorer/texture/target_image.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 namespace texplorer::emit {
@@ -187,6 +191,12 @@ private:
             out_.levels.push_back(std::move(level));
             return;
         }
+        if (first.format == PixelFormat::RgbaFloat && texture_.upload.custom) { // others are bytes still
+            level.source = TexelSource::Floats;
+            level.bytes = joined(faces);
+            out_.levels.push_back(std::move(level));
+            return;
+        }
         std::vector<Image> images;
         Bytes texels;
         for (const Surface* surface : faces.surfaces) {
@@ -240,6 +250,27 @@ private:
     std::vector<Image> last_;
     int lastNumber_ = -1;
 };
+
+/// With the comma after it.
+void writeNumber(std::uint32_t value, NumberType type, std::string& text) {
+    std::array<char, 32> digits{};
+    const auto write = [&](auto... arguments) {
+        text.append(digits.data(),
+                    std::to_chars(digits.data(), digits.data() + digits.size(), arguments...).ptr);
+    };
+    text.clear();
+    if (type == NumberType::Float) {
+        constexpr float largest = std::numeric_limits<float>::max();
+        const auto given = std::bit_cast<float>(value);
+        write(std::isnan(given) ? 0 : std::clamp(given, -largest, largest));
+        text += text.find_first_of(".e") == std::string::npos ? ".0F" : "F";
+    } else if (type == NumberType::UnsignedInt) {
+        text = "0x";
+        write(value, 16);
+    } else
+        write(value, 10);
+    text += ',';
+}
 
 } // namespace
 
@@ -406,22 +437,19 @@ Bytes withoutZerosAtEnd(Bytes bytes) {
     return bytes;
 }
 
-std::string numbersText(ByteView bytes, bool wide) {
+std::string numbersText(ByteView bytes, NumberType type) {
     constexpr std::size_t margin = 4;
     constexpr std::size_t columns = 100;
     std::string text;
     text.reserve(bytes.size() * 5);
     std::size_t column = 0;
-    std::array<char, 16> digits{};
-    const std::size_t step = wide ? 4 : 1;
+    std::string number;
+    const std::size_t step = type == NumberType::Byte ? 1 : 4;
     for (std::size_t at = 0; at + step <= bytes.size(); at += step) {
         std::uint32_t value = 0;
         std::memcpy(&value, bytes.data() + at, step);
-        const auto end =
-            std::to_chars(digits.data(), digits.data() + digits.size(), value, wide ? 16 : 10).ptr;
-        const std::string_view number(digits.data(), static_cast<std::size_t>(end - digits.data()));
-        const std::size_t length = number.size() + (wide ? 3 : 1);
-        if (column == 0 || column + 1 + length > columns) {
+        writeNumber(value, type, number);
+        if (column == 0 || column + 1 + number.size() > columns) {
             if (column != 0)
                 text += '\n';
             text.append(margin, ' ');
@@ -430,10 +458,8 @@ std::string numbersText(ByteView bytes, bool wide) {
             text += ' ';
             ++column;
         }
-        text += wide ? "0x" : "";
         text += number;
-        text += ',';
-        column += length;
+        column += number.size();
     }
     if (!text.empty())
         text += '\n';

@@ -26,6 +26,7 @@ enum class TexelSource : std::uint8_t {
     Packed,     ///< many: packed, and unpack() makes them
     Compressed, ///< blocks, as they are
     Depths,     ///< 32 bits each
+    Floats,     ///< RGBA of 32 bits each
     Memory,     ///< of a custom upload: the bytes that glTexImage is given
 };
 
@@ -39,7 +40,7 @@ struct LevelCode {
     std::array<std::uint8_t, 4> color{}; ///< of Flat; what is light of Checker
     int square = 0;                      ///< of Checker: texels
     /// Of all faces, one after the other: RGBA texels of Listed, the packed ones, blocks, depths of 32 bits,
-    /// memory.
+    /// floats, memory.
     Bytes bytes{};
 };
 
@@ -106,8 +107,11 @@ inline constexpr int maxListed = 64;
 /// Without zeros at its end, which C fills in, but for the first byte.
 [[nodiscard]] Bytes withoutZerosAtEnd(Bytes bytes);
 
-/// "12, 255, 0,\n": C's numbers, in rows of up to 100 letters. Of elements of 4 bytes each where `wide` says
-/// so, as hexadecimal numbers.
-[[nodiscard]] std::string numbersText(ByteView bytes, bool wide = false);
+/// What bytes are in a program: all but the first are of 4 bytes each, in the processor's order.
+enum class NumberType : std::uint8_t { Byte, UnsignedInt, Float };
+
+/// "12, 255, 0,\n": C's numbers, in rows of up to 100 letters; unsigned ones of 4 bytes are hexadecimal.
+/// Floats that C has no number for become the largest, or 0.
+[[nodiscard]] std::string numbersText(ByteView bytes, NumberType type = NumberType::Byte);
 
 } // namespace texplorer::emit

@@ -1,7 +1,7 @@
 #pragma once
 
-// What internal formats store: OpenGL 2.1, section 3.8.1, tables 3.15 and 3.16. Their names are in
-// internal_format.h.
+// What internal formats store: OpenGL 2.1, section 3.8.1, tables 3.15 and 3.16, and GL_ARB_texture_float.
+// Their names are in internal_format.h.
 
 #include "texplorer/gl/environment.h"
 
@@ -72,6 +72,18 @@ enum class InternalFormat : std::uint32_t {
     CompressedSrgbAlpha = 0x8C49,
     CompressedSluminance = 0x8C4A,
     CompressedSluminanceAlpha = 0x8C4B,
+    Rgba32F = 0x8814, ///< GL_ARB_texture_float
+    Rgb32F = 0x8815,
+    Alpha32F = 0x8816,
+    Intensity32F = 0x8817,
+    Luminance32F = 0x8818,
+    LuminanceAlpha32F = 0x8819,
+    Rgba16F = 0x881A,
+    Rgb16F = 0x881B,
+    Alpha16F = 0x881C,
+    Intensity16F = 0x881D,
+    Luminance16F = 0x881E,
+    LuminanceAlpha16F = 0x881F,
     Components0 = 0, ///< like the rest, what programs ask for by mistake
     Components5 = 5,
     Bgr = 0x80E0,
@@ -84,7 +96,8 @@ enum class Encoding : std::uint8_t {
     Linear,
     Srgb, ///< colours on sRGB's curve, converted to linear before filtering; alpha is linear
     Depth,
-    None, ///< OpenGL has no such format
+    Float, ///< any number, not 0 to 1 alone
+    None,  ///< OpenGL has no such format
 };
 
 /// What a texture stores of an image. Where OpenGL leaves the number of bits to the driver (GL_RGBA), there
@@ -157,6 +170,18 @@ inline constexpr auto formatFacts = [] {
         FormatFacts{DepthComponent16, Base::Luminance, {16, 0, 0, 0}, Encoding::Depth},
         FormatFacts{DepthComponent24, Base::Luminance, {24, 0, 0, 0}, Encoding::Depth},
         FormatFacts{DepthComponent32, Base::Luminance, {32, 0, 0, 0}, Encoding::Depth},
+        FormatFacts{Rgba32F, Base::Rgba, {32, 32, 32, 32}, Encoding::Float},
+        FormatFacts{Rgb32F, Base::Rgb, {32, 32, 32, 0}, Encoding::Float},
+        FormatFacts{Luminance32F, Base::Luminance, {32, 0, 0, 0}, Encoding::Float},
+        FormatFacts{LuminanceAlpha32F, Base::LuminanceAlpha, {32, 0, 0, 32}, Encoding::Float},
+        FormatFacts{Intensity32F, Base::Intensity, {32, 0, 0, 0}, Encoding::Float},
+        FormatFacts{Alpha32F, Base::Alpha, {0, 0, 0, 32}, Encoding::Float},
+        FormatFacts{Rgba16F, Base::Rgba, {16, 16, 16, 16}, Encoding::Float},
+        FormatFacts{Rgb16F, Base::Rgb, {16, 16, 16, 0}, Encoding::Float},
+        FormatFacts{Luminance16F, Base::Luminance, {16, 0, 0, 0}, Encoding::Float},
+        FormatFacts{LuminanceAlpha16F, Base::LuminanceAlpha, {16, 0, 0, 16}, Encoding::Float},
+        FormatFacts{Intensity16F, Base::Intensity, {16, 0, 0, 0}, Encoding::Float},
+        FormatFacts{Alpha16F, Base::Alpha, {0, 0, 0, 16}, Encoding::Float},
         FormatFacts{CompressedRgba, Base::Rgba, {8, 8, 8, 8}},
         FormatFacts{CompressedRgb, Base::Rgb, {8, 8, 8, 0}},
         FormatFacts{CompressedLuminance, Base::Luminance, {8, 0, 0, 0}},
@@ -200,6 +225,14 @@ inline constexpr auto formatFacts = [] {
 [[nodiscard]] constexpr bool isSrgb(InternalFormat format) {
     return factsOf(format).encoding == Encoding::Srgb;
 }
+/// Whether texels may be any numbers (GL_ARB_texture_float).
+[[nodiscard]] constexpr bool isFloat(InternalFormat format) {
+    return factsOf(format).encoding == Encoding::Float;
+}
+/// The bits of a component that it stores; all that it stores have as many.
+[[nodiscard]] constexpr int floatBits(InternalFormat format) {
+    return std::ranges::max(factsOf(format).bits);
+}
 /// Whether the driver chooses a compressed format for it, or none.
 [[nodiscard]] constexpr bool isGenericCompressed(InternalFormat format) {
     return (format >= InternalFormat::CompressedAlpha && format <= InternalFormat::CompressedRgba) ||
@@ -208,6 +241,13 @@ inline constexpr auto formatFacts = [] {
 /// Whether glTexImage is GL_INVALID_VALUE and defines no image.
 [[nodiscard]] constexpr bool isRefused(InternalFormat format) {
     return factsOf(format).encoding == Encoding::None;
+}
+/// The format with 32-bit floats and the same components.
+[[nodiscard]] constexpr InternalFormat floatFormat(BaseFormat base) {
+    const auto* found = std::ranges::find_if(formatFacts, [base](const FormatFacts& facts) {
+        return facts.encoding == Encoding::Float && facts.base == base;
+    });
+    return found->format;
 }
 /// The format with eight bits per component that has the name of a base format.
 [[nodiscard]] constexpr InternalFormat internalFormat(BaseFormat format) {

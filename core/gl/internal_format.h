@@ -17,6 +17,8 @@ namespace texplorer {
         return "sRGB";
     case Encoding::Depth:
         return N_("Depths");
+    case Encoding::Float:
+        return N_("Floats");
     case Encoding::None:
         return N_("Mistakes");
     case Encoding::Linear:
@@ -41,6 +43,11 @@ inline constexpr auto internalFormatRows = [] {
         N_("sRGB colours become amounts of light before filtering. The driver chooses the number of bits.");
     constexpr std::string_view compressed =
         N_("The driver compresses to a format of its choice, or doesn't. That takes time and quality.");
+    constexpr std::string_view floats = N_(
+        "32-bit floats: texels may be below 0 and above 1, which scale, bias and GL_FLOAT in memory make.");
+    constexpr std::string_view halves =
+        N_("16-bit floats of 11 significant bits, up to 65504: half the memory of 32-bit floats.");
+    constexpr std::string_view floatsSince = "GL_ARB_texture_float";
     constexpr std::string_view order =
         N_("An order of components in memory, for the argument format. As an internal format it is "
            "GL_INVALID_VALUE.");
@@ -116,6 +123,18 @@ inline constexpr auto internalFormatRows = [] {
             "The image's red is a distance, from 0 (near) to 1 (far), in about 16.8 million steps.", "1.4"),
         row(DepthComponent32, "GL_DEPTH_COMPONENT32", "Depth, 32 bits",
             "The image's red is a distance, from 0 (near) to 1 (far), in about 4.3 billion steps.", "1.4"),
+        row(Rgba32F, "GL_RGBA32F_ARB", "RGBA32F", floats, floatsSince),
+        row(Rgb32F, "GL_RGB32F_ARB", "RGB32F", floats, floatsSince),
+        row(Luminance32F, "GL_LUMINANCE32F_ARB", "Luminance 32F", floats, floatsSince),
+        row(LuminanceAlpha32F, "GL_LUMINANCE_ALPHA32F_ARB", "Luminance + alpha 32F", floats, floatsSince),
+        row(Intensity32F, "GL_INTENSITY32F_ARB", "Intensity 32F", floats, floatsSince),
+        row(Alpha32F, "GL_ALPHA32F_ARB", "Alpha 32F", floats, floatsSince),
+        row(Rgba16F, "GL_RGBA16F_ARB", "RGBA16F", halves, floatsSince),
+        row(Rgb16F, "GL_RGB16F_ARB", "RGB16F", halves, floatsSince),
+        row(Luminance16F, "GL_LUMINANCE16F_ARB", "Luminance 16F", halves, floatsSince),
+        row(LuminanceAlpha16F, "GL_LUMINANCE_ALPHA16F_ARB", "Luminance + alpha 16F", halves, floatsSince),
+        row(Intensity16F, "GL_INTENSITY16F_ARB", "Intensity 16F", halves, floatsSince),
+        row(Alpha16F, "GL_ALPHA16F_ARB", "Alpha 16F", halves, floatsSince),
         row(CompressedRgba, "GL_COMPRESSED_RGBA", "Compressed RGBA", compressed, "1.3"),
         row(CompressedRgb, "GL_COMPRESSED_RGB", "Compressed RGB", compressed, "1.3"),
         row(CompressedLuminance, "GL_COMPRESSED_LUMINANCE", "Compressed luminance", compressed, "1.3"),
@@ -149,6 +168,6 @@ struct EnumTable<InternalFormat> {
     static constexpr std::span<const EnumRow> rows = internalFormatRows;
 };
 
-static_assert(internalFormatRows.size() == 69 && formatFacts.size() == internalFormatRows.size());
+static_assert(internalFormatRows.size() == 81 && formatFacts.size() == internalFormatRows.size());
 
 } // namespace texplorer

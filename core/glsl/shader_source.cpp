@@ -365,8 +365,8 @@ Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) 
         else
             body.add("environment", fmt::format("{} {}", nameOf(unit.envMode), nameOf(sampled.format)),
                      {{"UNIT", index}});
-        if (sampled.hasNegative && unit.envMode != EnvMode::Combine)
-            body.add("environment", "signed");
+        if (sampled.isUnclamped && unit.envMode != EnvMode::Combine)
+            body.add("environment", "unclamped");
     });
     if (plan.separateSpecular()) {
         writeVaryingColor(body, plan, "secondary");

@@ -20,7 +20,7 @@ namespace texplorer::glsl {
 struct SampledUnit {
     BaseFormat format = BaseFormat::Rgba;
     LateFlip lateFlip = LateFlip::None;
-    bool hasNegative = false; ///< its format is signed
+    bool isUnclamped = false; ///< its texels may lie outside 0 … 1
     bool hasDepths = false;   ///< instead of colours; `format` is what they become
     bool compares = false;    ///< compares r with its depths
     /// Which of s, t and r are clamped by GL_CLAMP, which core OpenGL lacks. For colours only.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "texplorer/image/depth_pixels.h"
+#include "texplorer/image/float_pixels.h"
 #include "texplorer/image/image.h"
 
 #include <array>
@@ -8,7 +9,7 @@
 namespace texplorer {
 
 /// A pixel as OpenGL sees it (OpenGL 2.1, table 3.6): missing colours are 0, a missing alpha is 255,
-/// luminance is copied to all three colours. A depth is a grey.
+/// luminance is copied to all three colours. A depth is a grey; floats are limited to 0 … 1.
 [[nodiscard]] inline std::array<std::uint8_t, 4> rgbaOf(PixelFormat format, const std::byte* pixel) {
     const auto value = [pixel](int i) { return std::to_integer<std::uint8_t>(pixel[i]); };
     switch (format) {
@@ -26,6 +27,8 @@ namespace texplorer {
         const auto grey = static_cast<std::uint8_t>(greyOfDepth(depthAt(pixel)));
         return {grey, grey, grey, 255};
     }
+    case PixelFormat::RgbaFloat:
+        return bytesOfFloats(floatsAt(pixel));
     }
     return {value(0), value(1), value(2), value(3)};
 }

@@ -19,6 +19,7 @@ namespace texplorer {
     case PixelFormat::Luminance8:
     case PixelFormat::Rgb8:
     case PixelFormat::Depth32:
+    case PixelFormat::RgbaFloat:
         break;
     }
     return -1;

@@ -167,6 +167,8 @@ Image averageEvenRgba(const Image& from) {
 }
 
 Image nextLevel(const Image& from, const MipOptions& options) {
+    if (from.format == PixelFormat::RgbaFloat) // whose levels a driver or GLU makes
+        return scaleByCoverage(from, half(from.width), half(from.height), half(from.depth));
     if (options.filter != MipFilter::Box && from.depth == 1)
         return scaleFiltered(from, half(from.width), half(from.height), options.filter, options.linearLight);
     if (options.linearLight)

@@ -10,9 +10,18 @@
 
 namespace texplorer {
 
-/// Eight bits per component, tightly packed, in this order in memory; or one depth of 32 bits, 0 to 1, in the
-/// processor's byte order (texplorer/image/depth_pixels.h), which files cannot store.
-enum class PixelFormat : std::uint8_t { Alpha8, Luminance8, LuminanceAlpha8, Rgb8, Rgba8, Depth32 };
+/// Eight bits per component, tightly packed, in this order in memory. Files cannot store the others, which
+/// are in the processor's byte order: one depth of 32 bits, 0 to 1 (texplorer/image/depth_pixels.h), or four
+/// numbers of any size (texplorer/image/float_pixels.h).
+enum class PixelFormat : std::uint8_t {
+    Alpha8,
+    Luminance8,
+    LuminanceAlpha8,
+    Rgb8,
+    Rgba8,
+    Depth32,
+    RgbaFloat
+};
 
 struct PixelFormatRow {
     PixelFormat format;
@@ -27,12 +36,13 @@ inline constexpr std::array pixelFormatRows{
     PixelFormatRow{PixelFormat::Rgb8, 3, N_("RGB, 8 bits each")},
     PixelFormatRow{PixelFormat::Rgba8, 4, N_("RGBA, 8 bits each")},
     PixelFormatRow{PixelFormat::Depth32, 4, N_("depth, 32 bits")},
+    PixelFormatRow{PixelFormat::RgbaFloat, 16, N_("RGBA, floats")},
 };
 
 /// The formats of files.
 inline constexpr std::span<const PixelFormatRow> colorFormatRows = std::span(pixelFormatRows).first(5);
 
-static_assert(pixelFormatRows.size() == 6);
+static_assert(pixelFormatRows.size() == 7);
 
 /// The rows are in the order of the enumerators, so a format is its row's index.
 [[nodiscard]] constexpr const PixelFormatRow& rowOf(PixelFormat format) {

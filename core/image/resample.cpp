@@ -6,6 +6,7 @@
 #define STB_IMAGE_RESIZE_IMPLEMENTATION
 #define STB_IMAGE_RESIZE_STATIC
 #include <algorithm>
+#include <cstring>
 #include <stb/stb_image_resize.h>
 
 namespace texplorer {
@@ -37,9 +38,63 @@ std::vector<Cover> coversOf(int extent, int scaled) {
     return covers;
 }
 
-void addRow(const std::byte* row, std::uint64_t weight, std::vector<std::uint64_t>& sums) {
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        sums[i] += weight * std::to_integer<std::uint64_t>(row[i]);
+/// How components are read, added up exactly enough, and written.
+struct ByteSums {
+    using Sum = std::uint64_t;
+    static constexpr std::size_t size = 1;
+    static Sum read(const std::byte* component) { return std::to_integer<Sum>(*component); }
+    static void write(Sum sum, std::uint64_t total, std::byte* component) {
+        *component = static_cast<std::byte>((sum + total / 2) / total);
+    }
+};
+struct FloatSums {
+    using Sum = double;
+    static constexpr std::size_t size = sizeof(float);
+    static Sum read(const std::byte* component) {
+        float value = 0;
+        std::memcpy(&value, component, size);
+        return value;
+    }
+    static void write(Sum sum, std::uint64_t total, std::byte* component) {
+        const auto value = static_cast<float>(sum / static_cast<double>(total));
+        std::memcpy(component, &value, size);
+    }
+};
+
+template<class Sums>
+void scale(const Image& from, Image& to) {
+    const std::vector<Cover> columns = coversOf(from.width, to.width);
+    const std::vector<Cover> rows = coversOf(from.height, to.height);
+    const std::vector<Cover> slices = coversOf(from.depth, to.depth);
+    const std::uint64_t total = static_cast<std::uint64_t>(from.width) *
+                                static_cast<std::uint64_t>(from.height) *
+                                static_cast<std::uint64_t>(from.depth);
+    const std::size_t components = static_cast<std::size_t>(bytesPerPixel(from.format)) / Sums::size;
+    using Sum = typename Sums::Sum;
+    std::vector<Sum> sums(from.rowBytes() / Sums::size);
+    std::byte* out = to.pixels.data();
+    for (const Cover& slice : slices)
+        for (const Cover& row : rows) {
+            std::ranges::fill(sums, Sum{});
+            for (std::size_t z = 0; z < slice.weights.size(); ++z)
+                for (std::size_t y = 0; y < row.weights.size(); ++y) {
+                    const auto weight = static_cast<Sum>(slice.weights[z] * row.weights[y]);
+                    const std::byte* source =
+                        from.pixels.data() +
+                        from.offset(0, row.first + static_cast<int>(y), slice.first + static_cast<int>(z));
+                    for (std::size_t i = 0; i < sums.size(); ++i)
+                        sums[i] += weight * Sums::read(source + i * Sums::size);
+                }
+            for (const Cover& column : columns) {
+                const Sum* texel = sums.data() + static_cast<std::size_t>(column.first) * components;
+                for (std::size_t c = 0; c < components; ++c, out += Sums::size) {
+                    Sum sum{};
+                    for (std::size_t x = 0; x < column.weights.size(); ++x)
+                        sum += static_cast<Sum>(column.weights[x]) * texel[x * components + c];
+                    Sums::write(sum, total, out);
+                }
+            }
+        }
 }
 
 stbir_filter stbFilter(MipFilter filter) {
@@ -69,35 +124,10 @@ int nearestPowerOfTwo(int extent) {
 
 Image scaleByCoverage(const Image& from, int width, int height, int depth) {
     Image to = Image::uninitialised(from.format, width, height, depth);
-    const std::vector<Cover> columns = coversOf(from.width, width);
-    const std::vector<Cover> rows = coversOf(from.height, height);
-    const std::vector<Cover> slices = coversOf(from.depth, depth);
-    const std::uint64_t total = static_cast<std::uint64_t>(from.width) *
-                                static_cast<std::uint64_t>(from.height) *
-                                static_cast<std::uint64_t>(from.depth);
-    const auto components = static_cast<std::size_t>(bytesPerPixel(from.format));
-
-    std::vector<std::uint64_t> sums(from.rowBytes());
-    std::byte* out = to.pixels.data();
-    for (const Cover& slice : slices)
-        for (const Cover& row : rows) {
-            std::ranges::fill(sums, 0U);
-            for (std::size_t z = 0; z < slice.weights.size(); ++z)
-                for (std::size_t y = 0; y < row.weights.size(); ++y)
-                    addRow(from.pixels.data() + from.offset(0, row.first + static_cast<int>(y),
-                                                            slice.first + static_cast<int>(z)),
-                           slice.weights[z] * row.weights[y], sums);
-            for (const Cover& column : columns) {
-                const std::uint64_t* texel =
-                    sums.data() + static_cast<std::size_t>(column.first) * components;
-                for (std::size_t c = 0; c < components; ++c) {
-                    std::uint64_t sum = total / 2;
-                    for (std::size_t x = 0; x < column.weights.size(); ++x)
-                        sum += column.weights[x] * texel[x * components + c];
-                    *out++ = static_cast<std::byte>(sum / total);
-                }
-            }
-        }
+    if (from.format == PixelFormat::RgbaFloat)
+        scale<FloatSums>(from, to);
+    else
+        scale<ByteSums>(from, to);
     return to;
 }
 

@@ -1,6 +1,6 @@
 #include "texplorer/image/thumbnail.h"
 
-#include "texplorer/image/depth_pixels.h"
+#include "texplorer/image/convert.h"
 
 #include <algorithm>
 #include <array>
@@ -29,9 +29,10 @@ Premultiplied colorOf(PixelFormat format, ByteView pixel) {
         return times(value(0), value(1), value(2), 255);
     case PixelFormat::Rgba8:
         return times(value(0), value(1), value(2), value(3));
-    case PixelFormat::Depth32: {
-        const int grey = greyOfDepth(depthAt(pixel.data()));
-        return times(grey, grey, grey, 255);
+    case PixelFormat::Depth32:
+    case PixelFormat::RgbaFloat: {
+        const auto [r, g, b, a] = rgbaOf(format, pixel.data());
+        return times(r, g, b, a);
     }
     }
     return {};

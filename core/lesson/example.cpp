@@ -37,6 +37,8 @@ constexpr std::array exampleRows{
     Example{
         "packed-pixels.json", N_("Packed pixels"),
         N_("One image in four layouts of memory: 5 6 5, 4 4 4 4 and 3 3 2 bits, and bytes with blue first.")},
+    Example{"floats.json", N_("Floats"),
+            N_("An image scaled by 4 at its upload and dimmed to a quarter: left limited, right kept in floats.")},
     Example{"texsub.json", N_("Replaced texels"),
             N_("glTexSubImage2D puts 16 × 16 red texels into the checkerboard after its upload.")},
     Example{"levels.json", N_("An image for each level"),

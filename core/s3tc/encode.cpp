@@ -34,6 +34,7 @@ void expand(PixelFormat format, const std::byte* pixel, std::uint8_t* rgba) {
         return;
     case PixelFormat::Rgba8:
     case PixelFormat::Depth32:
+    case PixelFormat::RgbaFloat:
         std::memcpy(rgba, pixel, 4);
         return;
     }

@@ -46,6 +46,11 @@ std::vector<PictureKey> shownPictures(const Scene& scene) {
     return keys;
 }
 
+bool isSeen(const Scene& scene, const Pass& pass) {
+    const std::vector<PictureKey> shown = shownPictures(scene);
+    return pass.picture == 0 || std::ranges::find(shown, pass.picture, &PictureKey::number) != shown.end();
+}
+
 std::vector<UnfinishedRead> unfinishedReads(const Scene& scene) {
     const std::vector<PictureKey> order = shownPictures(scene);
     std::vector<UnfinishedRead> reads;

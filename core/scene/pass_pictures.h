@@ -42,6 +42,9 @@ inline constexpr double frameInterval = 1.0 / 30;
 /// The pictures that enabled units show, in the order in which they are drawn, each once.
 [[nodiscard]] std::vector<PictureKey> shownPictures(const Scene& scene);
 
+/// Whether what a pass draws is seen: in the window, or in a picture that an enabled unit shows.
+[[nodiscard]] bool isSeen(const Scene& scene, const Pass& pass);
+
 /// A pass that shows a picture which is not finished when it draws.
 struct UnfinishedRead {
     std::size_t pass = 0;

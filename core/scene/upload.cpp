@@ -19,6 +19,7 @@ PixelLayout layoutOf(PixelFormat image, bool isBlueFirst) {
     case PixelFormat::Depth32:
         return {TransferFormat::DepthComponent, TransferType::UnsignedInt};
     case PixelFormat::Rgba8:
+    case PixelFormat::RgbaFloat:
         break;
     }
     return {isBlueFirst ? TransferFormat::Bgra : TransferFormat::Rgba};

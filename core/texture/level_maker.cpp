@@ -151,7 +151,8 @@ bool LevelMaker::isTakenAsItIs(const LevelPicture& picture, const Surface& surfa
     const bool whole = image && (image->depth == 1 || axesOf(target_) == 3) &&
                        (target_ != Target::Texture1D || image->height == 1) &&
                        (image->format != PixelFormat::Depth32 || isDepth(texture_.internalFormat));
-    return lends_ && halvings_ == 0 && whole && picture.image == &image_ && !picture.fitted &&
+    const bool averages = keepsFloats() && readsFirst_ == ReadsFirst::ForDriver;
+    return lends_ && halvings_ == 0 && whole && !averages && picture.image == &image_ && !picture.fitted &&
            !turns(picture) && !cutsFaces(image_) && !hasBorder() && !prepares() &&
            texture_.subimages.empty() && texture_.transparency == Transparency::File &&
            (texture_.npot != NpotPolicy::PowerOfTwo || texture_.mipmaps == MipPolicy::FromFile ||
@@ -194,6 +195,8 @@ Result<void> LevelMaker::takeMade(int face) {
         chain = mipLevelsAbove(texture_.mipmaps, std::get<Image>(from), options);
     } else {
         Image made = pixels(base_, face);
+        if (readsFirst_ == ReadsFirst::ForDriver)
+            made = stored(std::move(made));
         if (readsFirst_ == ReadsFirst::ForDriver && hasSubimage(0, face)) {
             made = std::move(chainOf(MipPolicy::None, std::move(made), options).front());
             replaceIn(made, 0, face);
@@ -311,6 +314,13 @@ void LevelMaker::roundToBits() {
             const Image* image = std::get_if<Image>(&*level.surface);
             if (image && (image->format != PixelFormat::Depth32 || bits < lightDepthBits || level.memory))
                 level.surface = depthsOf(*image, bits);
+        }
+        return;
+    }
+    if (keepsFloats()) {
+        for (TextureLevel& level : out_.levels) {
+            if (const Image* image = std::get_if<Image>(&*level.surface))
+                level.surface = stored(*image);
         }
         return;
     }

@@ -7,6 +7,7 @@
 #include "texplorer/base/result.h"
 #include "texplorer/gl/sampling.h"
 #include "texplorer/image/cube_faces.h"
+#include "texplorer/image/float_pixels.h"
 #include "texplorer/texture/level_plan.h"
 #include "texplorer/texture/step_operation.h"
 #include "texplorer/texture/texture_levels.h"
@@ -108,6 +109,16 @@ private:
         return texture_.upload.custom && texture_.compression != Compression::Cached;
     }
 
+    /// Whether the texture keeps floats: blocks have another internal format.
+    [[nodiscard]] bool keepsFloats() const {
+        return isFloat(texture_.internalFormat) && texture_.compression != Compression::Driver &&
+               texture_.compression != Compression::Cached;
+    }
+    /// As the texture stores it, for levels that are made of what it stores.
+    [[nodiscard]] Image stored(Image image) const {
+        return keepsFloats() ? floatsOf(image, floatBits(texture_.internalFormat)) : std::move(image);
+    }
+
     /// Who makes the other levels of the base after it was read: otherwise the program holds all of them.
     enum class ReadsFirst : std::uint8_t { No, ForDriver, ForGlu };
     struct Read {
@@ -161,7 +172,7 @@ private:
     [[nodiscard]] std::vector<RefusedSubimage>
     refusedSubimages(const std::vector<PlannedLevel>& levels) const;
     [[nodiscard]] PlannedLevel withoutRim(PlannedLevel level) const;
-    void replacePart(Image& level, const Image& part, const Subimage& subimage) const;
+    void replacePart(Image& level, Image part, const Subimage& subimage) const;
     [[nodiscard]] bool hasSubimage(int level, int face) const;
     void replaceIn(Image& image, int level, int face) const;
     void replaceInLevels();

@@ -88,9 +88,12 @@ PlannedLevel LevelMaker::withoutRim(PlannedLevel level) const {
             axes > 2 ? level.depth - rim : 1};
 }
 
-void LevelMaker::replacePart(Image& level, const Image& part, const Subimage& subimage) const {
+void LevelMaker::replacePart(Image& level, Image part, const Subimage& subimage) const {
     const int rim = out_.border;
-    level = asRgba(std::move(level));
+    if (level.format == PixelFormat::RgbaFloat)
+        part = stored(std::move(part));
+    else
+        level = asRgba(std::move(level));
     const int x = subimage.x + rim;
     const int y = axesOf(target_) > 1 ? subimage.y + rim : 0;
     const int z = axesOf(target_) > 2 ? subimage.z + rim : 0;

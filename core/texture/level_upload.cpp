@@ -77,7 +77,7 @@ Result<LevelMaker::Read> LevelMaker::readBack(const Image& image) const {
                                          base_.image->format); // steps may have added components
     Bytes memory = writePixels(image, layout.pixels, layout.alignment);
     const std::size_t held = memory.size();
-    Image read = readPixels(memory, call, extent);
+    Image read = readPixels(memory, call, extent, keepsFloats());
     if (memory.size() < needed)
         memory.resize(static_cast<std::size_t>(needed), std::byte{0});
     return Read{std::move(read), std::make_shared<const Bytes>(std::move(memory)), held, layout};
@@ -93,7 +93,7 @@ Result<void> LevelMaker::takeMadeOfRead(int face, const MipOptions& options) {
         return fail(read.error());
     if (readsFirst_ == ReadsFirst::ForDriver)
         replaceIn(read->image, 0, face);
-    MipChain chain = chainOf(texture_.mipmaps, std::move(read->image), options);
+    MipChain chain = chainOf(texture_.mipmaps, stored(std::move(read->image)), options);
     int number = 0;
     for (Image& level : chain)
         out_.levels.push_back({number++, std::move(level), face});

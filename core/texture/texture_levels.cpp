@@ -1,5 +1,6 @@
 #include "texplorer/texture/texture_levels.h"
 
+#include "texplorer/image/convert.h"
 #include "texplorer/s3tc/surface_pixels.h"
 #include "texplorer/texture/level_maker.h"
 
@@ -74,11 +75,16 @@ Image subimageOf(const Texture& texture, const TexturePictures& pictures, Target
     return LevelMaker(texture, pictures, target, {}).subimageOf(index);
 }
 
-void decompress(TextureLevels& levels) {
+void makeBytes(TextureLevels& levels) {
+    if (isFloat(levels.internalFormat))
+        levels.internalFormat = internalFormat(baseFormat(levels.internalFormat));
     for (TextureLevel& level : levels.levels) {
         if (const auto* blocks = std::get_if<BlockImage>(&*level.surface))
             levels.internalFormat = internalFormat(baseFormat(blocks->format));
-        level.surface = toImage(std::move(level.surface).take());
+        Image pixels = toImage(std::move(level.surface).take());
+        if (pixels.format == PixelFormat::RgbaFloat)
+            pixels = asRgba(std::move(pixels));
+        level.surface = std::move(pixels);
     }
     if (levels.driverFormat)
         levels.internalFormat = internalFormat(baseFormat(*levels.driverFormat));

@@ -100,9 +100,9 @@ void eachPreparationStep(const Texture& texture, const TexturePictures& pictures
 [[nodiscard]] Image subimageOf(const Texture& texture, const TexturePictures& pictures, Target target,
                                std::size_t index);
 
-/// Decompresses every level to 8 bits per component of the blocks' base format, for drivers without S3TC. The
-/// other members are unchanged.
-void decompress(TextureLevels& levels);
+/// Makes every level pixels of 8 bits per component of the format's base format, for drivers without S3TC or
+/// floats: blocks are decompressed, floats limited to 0 … 1. The other members are unchanged.
+void makeBytes(TextureLevels& levels);
 
 /// Returns the texture with MipPolicy::Generated and the settings that make the levels of a mipmap function
 /// of OpenGL or GLU; unchanged if it calls none.

@@ -2,6 +2,7 @@
 
 #include "texplorer/image/convert.h"
 #include "texplorer/image/depth_pixels.h"
+#include "texplorer/image/float_pixels.h"
 
 #include <algorithm>
 #include <array>
@@ -250,11 +251,13 @@ std::uint64_t bytesRead(const UploadCall& call, const PixelExtent& extent) {
     return bytesOf(call, extent, extent.width - 1, extent.height - 1, extent.depth - 1).end();
 }
 
-Image readPixels(ByteView memory, const UploadCall& call, const PixelExtent& extent) {
+Image readPixels(ByteView memory, const UploadCall& call, const PixelExtent& extent, bool asFloats) {
     const std::string_view names = componentsOf(call.layout.format);
     const bool isDepth = call.layout.format == TransferFormat::DepthComponent;
-    Image image = Image::uninitialised(isDepth ? PixelFormat::Depth32 : PixelFormat::Rgba8, extent.width,
-                                       extent.height, extent.depth);
+    Image image = Image::uninitialised(isDepth    ? PixelFormat::Depth32
+                                       : asFloats ? PixelFormat::RgbaFloat
+                                                  : PixelFormat::Rgba8,
+                                       extent.width, extent.height, extent.depth);
     const Reader reader(memory, call);
     eachPixel(extent, [&](int x, int y, int z) {
         const ByteRange bytes = bytesOf(call, extent, x, y, z);
@@ -266,11 +269,15 @@ Image readPixels(ByteView memory, const UploadCall& call, const PixelExtent& ext
             storeDepth(depth, pixel.data());
             return;
         }
-        for (int i = 0; i < 4; ++i) {
-            const double value = color[i] * double{call.scale[i]} + double{call.bias[i]};
-            pixel[static_cast<std::size_t>(i)] =
-                static_cast<std::byte>(std::lround(std::clamp(value, 0.0, 1.0) * 255));
+        const glm::dvec4 value = color * glm::dvec4(call.scale) + glm::dvec4(call.bias);
+        if (asFloats) {
+            const glm::vec4 number(value);
+            storeFloats({number.r, number.g, number.b, number.a}, pixel.data());
+            return;
         }
+        for (int i = 0; i < 4; ++i)
+            pixel[static_cast<std::size_t>(i)] =
+                static_cast<std::byte>(std::lround(std::clamp(value[i], 0.0, 1.0) * 255));
     });
     return image;
 }

@@ -78,8 +78,9 @@ struct ByteRange {
 /// What OpenGL makes of the memory: Rgba8, or Depth32 for GL_DEPTH_COMPONENT. It is never read beyond its
 /// end; bytes there, where OpenGL's result is undefined, count as 0. Signed numbers are converted as
 /// table 2.9 says, (2c + 1) / (2^b - 1); components are scaled, biased, limited to 0 … 1, and rounded to 8
-/// bits. The layout has passed checkLayout().
-[[nodiscard]] Image readPixels(ByteView memory, const UploadCall& call, const PixelExtent& extent);
+/// bits; `asFloats`: neither limited nor rounded, as RgbaFloat. The layout has passed checkLayout().
+[[nodiscard]] Image readPixels(ByteView memory, const UploadCall& call, const PixelExtent& extent,
+                               bool asFloats = false);
 
 /// The same memory for a call without swapBytes: the bytes of each number in reverse order.
 [[nodiscard]] Bytes withSwappedBytes(ByteView memory, TransferType type);

@@ -118,6 +118,14 @@ INSTANTIATE_TEST_SUITE_P(
         FormatCase{I::Luminance16, {c100, c100, c100, 1}},
         FormatCase{I::Luminance12Alpha12, {c100, c100, c100, alpha60}},
         FormatCase{I::Intensity16, {c100, c100, c100, c100}}, FormatCase{I::Alpha12, {1, 1, 1, alpha60}},
+        FormatCase{I::Rgba32F, {c100, c150, c200, alpha60}}, FormatCase{I::Rgb32F, {c100, c150, c200, 1}},
+        FormatCase{I::Luminance32F, {c100, c100, c100, 1}},
+        FormatCase{I::LuminanceAlpha32F, {c100, c100, c100, alpha60}},
+        FormatCase{I::Intensity32F, {c100, c100, c100, c100}}, FormatCase{I::Alpha32F, {1, 1, 1, alpha60}},
+        FormatCase{I::Rgba16F, {c100, c150, c200, alpha60}}, FormatCase{I::Rgb16F, {c100, c150, c200, 1}},
+        FormatCase{I::Luminance16F, {c100, c100, c100, 1}},
+        FormatCase{I::LuminanceAlpha16F, {c100, c100, c100, alpha60}},
+        FormatCase{I::Intensity16F, {c100, c100, c100, c100}}, FormatCase{I::Alpha16F, {1, 1, 1, alpha60}},
         FormatCase{I::SrgbAlpha, {light100, light150, light200, alpha60}},
         FormatCase{I::Sluminance, {light100, light100, light100, 1}},
         FormatCase{I::Srgb8Alpha8, {light100, light150, light200, alpha60}},
@@ -125,6 +133,43 @@ INSTANTIATE_TEST_SUITE_P(
         FormatCase{I::Sluminance8Alpha8, {light100, light100, light100, alpha60}},
         FormatCase{I::Sluminance8, {light100, light100, light100, 1}}),
     [](const auto& test) { return std::string(rowOf(test.param.format).name); });
+
+struct FloatCase {
+    EnvMode mode;
+    std::array<float, 4> expected;
+};
+
+class FloatTexels : public RenderTest, public testing::WithParamInterface<FloatCase> {};
+
+// The texel (2, -1, 0.5, 1.5) on a fragment of 0.25 everywhere, with the constant 0.3: tables 3.21 and 3.22,
+// of which only the result is limited to 0 ... 1.
+TEST_P(FloatTexels, AreNotLimitedBeforeTheEnvironment) {
+    for (const InternalFormat format : {InternalFormat::Rgba32F, InternalFormat::Rgba16F}) {
+        images.put("image", plainImage(4, 4, {255, 0, 0, 255}));
+        Scene scene = texturedScene();
+        scene.material.color = glm::vec4(0.25F);
+        Texture& texture = scene.textures[0];
+        texture.internalFormat = format;
+        texture.upload = {.custom = true, .scale = {2, 1, 1, 1.5F}, .bias = {0, -1, 0.5F, 0}};
+        Unit& unit = scene.passes[0].units[0];
+        unit.envMode = GetParam().mode;
+        unit.envColor = glm::vec4(0.3F);
+        const Result<Frame> ours = reference::drawReference({scene, images, 0, 8, 8});
+        ASSERT_TRUE(ours) << describe(ours.error());
+        EXPECT_EQ(picture(scene, 8, 0), ours->image);
+        const glm::vec4 found = onlyColor(scene);
+        for (int c = 0; c < 4; ++c)
+            EXPECT_NEAR(found[c], GetParam().expected.at(static_cast<std::size_t>(c)), 1.01 / 255) << c;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FloatTexels,
+                         testing::Values(FloatCase{EnvMode::Replace, {1, 0, 0.5F, 1}},
+                                         FloatCase{EnvMode::Modulate, {0.5F, 0, 0.125F, 0.375F}},
+                                         FloatCase{EnvMode::Decal, {1, 0, 0.625F, 0.25F}},
+                                         FloatCase{EnvMode::Blend, {0.35F, 0.2F, 0.275F, 0.375F}},
+                                         FloatCase{EnvMode::Add, {1, 0, 0.75F, 0.375F}}),
+                         [](const auto& test) { return std::string(rowOf(test.param.mode).name); });
 
 class NamesOfInternalFormats : public RenderTest {
 protected:

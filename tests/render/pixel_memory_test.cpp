@@ -3,6 +3,7 @@
 
 #include "tests/support/render_fixture.h"
 #include "texplorer/image/depth_pixels.h"
+#include "texplorer/image/float_pixels.h"
 #include "texplorer/upload/pixel_memory.h"
 
 #include <gmock/gmock.h>
@@ -19,8 +20,8 @@ class PixelMemory : public RenderTest {
 protected:
     static constexpr PixelExtent extent{5, 3, 1};
 
-    /// What the driver keeps, in floats: GL_RGBA16 of colours, or a depth of 24 bits.
-    std::vector<float> kept(const Bytes& memory, const UploadCall& call) {
+    /// What the driver keeps, in floats: GL_RGBA8 of colours or GL_RGBA32F_ARB, or a depth of 24 bits.
+    std::vector<float> kept(const Bytes& memory, const UploadCall& call, bool asFloats = false) {
         const bool isDepth = call.layout.format == TransferFormat::DepthComponent;
         const TextureHandle texture = TextureHandle::create();
         glBindTexture(GL_TEXTURE_2D, texture.name());
@@ -41,8 +42,9 @@ protected:
             glPixelTransferf(static_cast<GLenum>(scales.at(static_cast<std::size_t>(i))), call.scale[i]);
             glPixelTransferf(static_cast<GLenum>(biases.at(static_cast<std::size_t>(i))), call.bias[i]);
         }
-        glTexImage2D(GL_TEXTURE_2D, 0, isDepth ? GL_DEPTH_COMPONENT24 : GL_RGBA8, extent.width, extent.height,
-                     0, static_cast<GLenum>(call.layout.format), static_cast<GLenum>(call.layout.type),
+        const GLint stored = isDepth ? GL_DEPTH_COMPONENT24 : asFloats ? GL_RGBA32F_ARB : GL_RGBA8;
+        glTexImage2D(GL_TEXTURE_2D, 0, stored, extent.width, extent.height, 0,
+                     static_cast<GLenum>(call.layout.format), static_cast<GLenum>(call.layout.type),
                      given.data() + (skips ? 0 : bytesOf(call, extent, 0, 0).first));
         for (int i = 0; i < 4; ++i) {
             glPixelTransferf(static_cast<GLenum>(scales.at(static_cast<std::size_t>(i))), 1);
@@ -54,9 +56,15 @@ protected:
         return values;
     }
 
-    static std::vector<float> computed(const Bytes& memory, const UploadCall& call) {
+    static std::vector<float> computed(const Bytes& memory, const UploadCall& call, bool asFloats = false) {
         std::vector<float> values;
-        const Image image = readPixels(memory, call, extent);
+        const Image image = readPixels(memory, call, extent, asFloats);
+        for (std::size_t i = 0; asFloats && i < image.pixels.size(); i += sizeof(FloatTexel)) {
+            const FloatTexel texel = floatsAt(image.pixels.data() + i);
+            values.insert(values.end(), texel.begin(), texel.end());
+        }
+        if (asFloats)
+            return values;
         for (std::size_t i = 0; i < image.pixels.size(); i += image.format == PixelFormat::Depth32 ? 4 : 1)
             values.push_back(image.format == PixelFormat::Depth32
                                  ? static_cast<float>(depthAt(image.pixels.data() + i) / 4294967295.0)
@@ -74,6 +82,13 @@ Bytes randomBytes(std::uint64_t count, std::mt19937& random, bool areFloats) {
         std::memcpy(&bytes[i], &value, sizeof value);
     }
     return bytes;
+}
+
+/// Whether Mesa reads it as OpenGL 2.1 says: see boundOf.
+bool isExact(const TransferTypeFacts& facts) {
+    const bool isSigned = facts.type == TransferType::Byte || facts.type == TransferType::Short ||
+                          facts.type == TransferType::Int;
+    return !isSigned && !facts.isPacked();
 }
 
 /// In steps of 255. Mesa converts signed numbers as OpenGL 4.2 does, c / (2^(b - 1) - 1), extends 5 bits to 8
@@ -114,6 +129,12 @@ TEST_F(PixelMemory, IsReadAsTheDriverReadsIt) {
                         << rowOf(format.format).name << ' ' << rowOf(type.type).name << " aligned to "
                         << alignment << (swaps ? ", swapped" : "");
                     ++count;
+                    if (format.format == TransferFormat::DepthComponent)
+                        continue;
+                    const float floatBound = isExact(type) ? 1e-6F : 4.01F / 255;
+                    EXPECT_THAT(computed(memory, call, true),
+                                testing::Pointwise(testing::FloatNear(floatBound), kept(memory, call, true)))
+                        << rowOf(format.format).name << ' ' << rowOf(type.type).name << " as floats";
                 }
             }
         }

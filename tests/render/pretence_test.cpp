@@ -27,7 +27,8 @@ Capabilities wealthy() {
     driver.textureUnits = 8;
     driver.maxTextureSize = driver.max3DTextureSize = driver.maxCubeMapSize = 16384;
     driver.maxAnisotropy = 16;
-    driver.s3tc = driver.rgtc = driver.seamlessCubeMaps = driver.shaders = driver.textureBorders = true;
+    driver.s3tc = driver.rgtc = driver.floatTextures = driver.seamlessCubeMaps = driver.shaders =
+        driver.textureBorders = true;
     return driver;
 }
 
@@ -52,6 +53,7 @@ constexpr std::array words{
     Word{"no-npot", [](const Capabilities& c) { return !c.nonPowerOfTwo; }},
     Word{"no-s3tc", [](const Capabilities& c) { return !c.s3tc; }},
     Word{"no-rgtc", [](const Capabilities& c) { return !c.rgtc; }},
+    Word{"no-float-textures", [](const Capabilities& c) { return !c.floatTextures; }},
     Word{"no-anisotropy", [](const Capabilities& c) { return c.maxAnisotropy == 1; }},
     Word{"max-anisotropy=4", [](const Capabilities& c) { return c.maxAnisotropy == 4; }},
     Word{"no-seamless-cube-maps", [](const Capabilities& c) { return !c.seamlessCubeMaps; }},

@@ -6,8 +6,8 @@ namespace texplorer::test {
 namespace {
 
 const std::regex latinWord("[A-Za-z][A-Za-z0-9]{2,}");
-/// A name of OpenGL, of a parameter or of a file, a call; what is quoted.
-const std::regex codeWord(R"("[^"]*"|'[^']*'|[^ ]*(_|\[|::|[A-Za-z0-9]\.[A-Za-z]|/|[a-z]\()[^ ]*)");
+/// A title; a name of OpenGL, of a parameter or of a file, a call; what is quoted.
+const std::regex codeWord(R"(OpenGL Programming Guide|"[^"]*"|'[^']*'|[^ ]*(_|\[|::|[A-Za-z0-9]\.[A-Za-z]|/|[a-z]\()[^ ]*)");
 /// Abbreviations; names of other programs' fields and functions, with a capital within; numbers.
 const std::regex
     nameWord("[A-Z0-9]+|[A-Za-z]*[a-z][A-Z][A-Za-z0-9]*|[A-Z]{2,}[a-z]?[A-Z]*|[xu][0-9a-f]+|Arg[012]");

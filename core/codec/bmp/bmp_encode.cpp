@@ -31,6 +31,7 @@ Layout layoutOf(PixelFormat format) {
     case PixelFormat::LuminanceAlpha8:
     case PixelFormat::Alpha8:
     case PixelFormat::Depth32:
+    case PixelFormat::RgbaFloat:
         break;
     }
     return {32, 108, 0};
@@ -94,6 +95,7 @@ void writeRow(PixelFormat format, const std::byte* from, std::byte* to, std::siz
         return swapRedBlue(from, to, width);
     case PixelFormat::Rgba8:
     case PixelFormat::Depth32:
+    case PixelFormat::RgbaFloat:
         return reorderFourToFour(from, to, width, blueGreenRedAlpha);
     case PixelFormat::Luminance8:
         std::memcpy(to, from, width);

@@ -152,6 +152,7 @@ MaskedPixels legacyPixels(PixelFormat format) {
         return bgr;
     case PixelFormat::Rgba8:
     case PixelFormat::Depth32:
+    case PixelFormat::RgbaFloat:
         break;
     }
     return bgra;

@@ -24,6 +24,7 @@ std::span<const std::size_t> componentsOf(PixelFormat format) {
         return std::span(rgba).first(3);
     case PixelFormat::Rgba8:
     case PixelFormat::Depth32:
+    case PixelFormat::RgbaFloat:
         break;
     }
     return rgba;

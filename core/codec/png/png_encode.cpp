@@ -36,6 +36,7 @@ int colorTypeOf(PixelFormat format) {
         return 2;
     case PixelFormat::Rgba8:
     case PixelFormat::Depth32:
+    case PixelFormat::RgbaFloat:
         break;
     }
     return 6;

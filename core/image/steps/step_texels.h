@@ -33,6 +33,7 @@ inline void storeTexel(PixelFormat format, const Components& from, std::byte* te
             texel[i] = std::byte{from[i]};
         return;
     case PixelFormat::Depth32: // which no step makes
+    case PixelFormat::RgbaFloat:
         return;
     }
 }

@@ -2,6 +2,7 @@
 
 #include "texplorer/image/convert.h"
 #include "texplorer/image/depth_pixels.h"
+#include "texplorer/image/float_pixels.h"
 #include "texplorer/image/linear_light.h"
 #include "texplorer/image/power_of_two.h"
 #include "texplorer/image/stored_numbers.h"
@@ -84,6 +85,10 @@ Level& SampledTexture::levelToFill(int number, int face) {
 glm::vec4 pixelColor(PixelFormat format, const std::byte* pixel) {
     if (format == PixelFormat::Depth32)
         return {glm::vec3(static_cast<float>(depthAt(pixel) / double{farthestDepth32})), 1};
+    if (format == PixelFormat::RgbaFloat) {
+        const FloatTexel texel = floatsAt(pixel);
+        return {texel[0], texel[1], texel[2], texel[3]};
+    }
     const auto rgba = rgbaOf(format, pixel);
     return glm::vec4(rgba[0], rgba[1], rgba[2], rgba[3]) / 255.0F;
 }
@@ -103,6 +108,12 @@ Level levelOf(const Image& image, InternalFormat format, Target target, int bord
         return level;
     }
     const FormatFacts& facts = factsOf(format);
+    if (image.format == PixelFormat::RgbaFloat) {
+        for (std::size_t i = 0; i < level.texels.size(); ++i)
+            level.texels[i] = sourceColor(
+                facts.base, pixelColor(image.format, image.pixels.data() + i * sizeof(FloatTexel)));
+        return level;
+    }
     const std::array values{valuesOf(facts, 0), valuesOf(facts, 1), valuesOf(facts, 2), valuesOf(facts, 3)};
     const std::byte* pixel = image.pixels.data();
     for (glm::vec4& texel : level.texels) {

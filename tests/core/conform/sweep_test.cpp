@@ -720,6 +720,10 @@ const Wrong wrongs[] = {
          });
      },
      nullptr, 112},
+    {"FloatsLimited", "float-formats",
+     [](Scene& s) {
+         eachTexture(s, [](Texture& t) { t.internalFormat = internalFormat(baseFormat(t.internalFormat)); });
+     }},
     {"SrgbDecodedAfterTheFilter", "internal-formats",
      [](Scene& s) {
          eachTexture(s, [](Texture& t) {

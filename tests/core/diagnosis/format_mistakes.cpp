@@ -35,6 +35,15 @@ constexpr std::array formatRows{
                 s.texture().internalFormat = InternalFormat::Luminance4;
             },
             [](Subject& s) { s.texture().compression = Compression::Cached; }},
+    Mistake{"FloatsPassedOnToFog", "float-passed-on", Note, "passes[0].units[0].envMode",
+            "a texel of GL_RGB32F_ARB",
+            [](Subject& s) {
+                s.texture().internalFormat = InternalFormat::Rgb32F;
+                s.texture().upload.custom = true;
+                s.unit().envMode = EnvMode::Replace;
+                s.scene.passes[0].fog.enabled = true;
+            },
+            [](Subject& s) { s.scene.passes[0].fog.enabled = false; }},
     Mistake{"SrgbNotEncoded", "srgb-not-encoded", Note, "textures[0].internalFormat", "darker than the image",
             [](Subject& s) { s.texture().internalFormat = InternalFormat::Srgb8Alpha8; }},
     Mistake{"SrgbLevels", "srgb-levels", Note, "textures[0].mipGamma", "too dark",

@@ -256,7 +256,13 @@ constexpr std::array textureRows{
                 s.driver.s3tc = false;
                 s.texture().compression = Compression::Driver;
             },
-            [](Subject& s) { s.driver.s3tc = true; }}};
+            [](Subject& s) { s.driver.s3tc = true; }},
+    Mistake{"NoFloats", "missing-format", Warning, "textures[0].internalFormat", "GL_RGBA16F_ARB",
+            [](Subject& s) {
+                s.driver.floatTextures = false;
+                s.texture().internalFormat = InternalFormat::Rgba16F;
+            },
+            [](Subject& s) { s.driver.floatTextures = true; }}};
 
 } // namespace
 

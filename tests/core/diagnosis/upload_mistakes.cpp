@@ -111,6 +111,14 @@ constexpr std::array uploadRows{
     Mistake{"SignedNumbers", "upload-signed", Note, "textures[0].upload.type",
             "OpenGL 2.1 makes (2c + 1) / 255", [](Subject& s) { custom(s).type = TransferType::Byte; },
             [](Subject& s) { s.texture().upload.type = TransferType::UnsignedByte; }},
+    Mistake{"ScaledBeyondOne", "upload-limited", Note, "textures[0].upload.scale",
+            "may become larger than 1, and GL_RGBA stores them as 1",
+            [](Subject& s) { custom(s).scale = glm::vec4(1, 1.5F, 1, 1); },
+            [](Subject& s) { s.texture().internalFormat = InternalFormat::Rgba16F; }},
+    Mistake{"BiasedBelowZero", "upload-limited", Note, "textures[0].upload.bias",
+            "may become less than 0, and GL_RGBA stores them as 0",
+            [](Subject& s) { custom(s).bias = glm::vec4(0, 0, -0.25F, 0); },
+            [](Subject& s) { s.texture().upload.scale.b = 0.5F, s.texture().upload.bias.b = 0.25F; }},
     Mistake{"UploadOfBlocks", "texture-setting", Hint, "textures[0].upload", "glCompressedTexImage",
             [](Subject& s) {
                 custom(s);

@@ -48,7 +48,8 @@ TEST(PackedTexels, BreakLongRuns) {
 
 TEST(NumbersText, FillsRowsOfAHundredLetters) {
     EXPECT_EQ(emit::numbersText(bytesOf({1, 20, 255})), "    1, 20, 255,\n");
-    EXPECT_EQ(emit::numbersText(bytesOf({1, 0, 0, 0, 255, 255, 255, 255}), true), "    0x1, 0xffffffff,\n");
+    EXPECT_EQ(emit::numbersText(bytesOf({1, 0, 0, 0, 255, 255, 255, 255}), emit::NumberType::UnsignedInt),
+              "    0x1, 0xffffffff,\n");
     EXPECT_EQ(emit::numbersText({}), "");
     const std::string text = emit::numbersText(Bytes(100, std::byte{123}));
     EXPECT_EQ(text.find('\n'), 98U) << "four spaces and 19 numbers";

@@ -1,6 +1,8 @@
 // Custom uploads: what of them becomes of a texture's levels.
 
 #include "texplorer/image/depth_pixels.h"
+#include "texplorer/image/float_pixels.h"
+#include "texplorer/texture/image_source.h"
 #include "texplorer/texture/level_plan.h"
 #include "texplorer/texture/texture_levels.h"
 
@@ -191,6 +193,57 @@ TEST(UploadsThatFit, AreNotCustom) {
     const TextureLevels levels = *prepareLevels(texture, textureOf(ramp(3, 3), "PNG"));
     EXPECT_FALSE(levels.call);
     EXPECT_EQ(levelOf(levels, 0), ramp(3, 3));
+}
+
+/// A texture of floats whose texels are 4 c - 1 of the image's components c.
+Texture ofFloats(InternalFormat format) {
+    Texture texture = custom(TransferFormat::Luminance, 1);
+    texture.internalFormat = format;
+    texture.upload.scale = glm::vec4(4);
+    texture.upload.bias = glm::vec4(-1);
+    return texture;
+}
+
+std::vector<float> floatRedsOf(const TextureLevels& levels, std::size_t index) {
+    const Image& image = levelOf(levels, index);
+    EXPECT_EQ(image.format, PixelFormat::RgbaFloat);
+    std::vector<float> reds;
+    for (int x = 0; x < image.width; ++x)
+        reds.push_back(floatsAt(image.at(x, 0).data())[0]);
+    return reds;
+}
+
+TEST(FloatFormats, KeepWhatScaleAndBiasMake) {
+    Image line = Image::uninitialised(PixelFormat::Luminance8, 4, 1);
+    line.pixels = {std::byte{0}, std::byte{51}, std::byte{102}, std::byte{255}};
+    const TextureImage image = textureOf(line, "PNG");
+    Texture texture = ofFloats(InternalFormat::Rgb32F);
+    EXPECT_THAT(floatRedsOf(*prepareLevels(texture, image), 0),
+                testing::Pointwise(testing::FloatNear(1e-6F), {-1.0F, -0.2F, 0.6F, 3.0F}));
+    texture.mipmaps = MipPolicy::GenerateMipmap; // of what is stored
+    const TextureLevels chain = *prepareLevels(texture, image);
+    ASSERT_EQ(chain.levels.size(), 3U);
+    EXPECT_TRUE(chain.madeByDriver);
+    EXPECT_THAT(floatRedsOf(chain, 1), testing::Pointwise(testing::FloatNear(1e-6F), {-0.6F, 1.8F}));
+    texture.internalFormat = InternalFormat::Rgb16F; // steps of 2^-11 above 0.5 and of 2^-13 above 0.125
+    EXPECT_THAT(floatRedsOf(*prepareLevels(texture, image), 0),
+                testing::ElementsAre(-1, -1638 / 8192.0F, 1229 / 2048.0F, 3));
+    texture.internalFormat = InternalFormat::Rgb;
+    EXPECT_THAT(redsOf(*prepareLevels(texture, image), 0, 0), testing::ElementsAre(0, 0, 153, 255));
+}
+
+TEST(FloatFormats, AreReplacedInPart) {
+    Texture texture = ofFloats(InternalFormat::Rgba32F);
+    texture.subimages = {{.x = 1, .width = 1, .height = 1}};
+    ImageSource images;
+    Image line = Image::uninitialised(PixelFormat::Luminance8, 2, 1);
+    line.pixels = {std::byte{255}, std::byte{255}};
+    images.put("line", textureOf(line, "PNG"));
+    texture.source = SourceKind::File;
+    texture.file = "line";
+    const TextureLevels levels = *prepareLevels(texture, images.picturesOf(texture), Target::Texture2D);
+    EXPECT_EQ(floatRedsOf(levels, 0)[0], 3);
+    EXPECT_LE(floatRedsOf(levels, 0)[1], 1) << "its pixels are neither scaled nor biased";
 }
 
 } // namespace

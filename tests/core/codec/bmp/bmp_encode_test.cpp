@@ -39,6 +39,7 @@ Bytes asRgba(const Image& image) {
                 break;
             case PixelFormat::Rgba8:
             case PixelFormat::Depth32:
+            case PixelFormat::RgbaFloat:
                 rgba.insert(rgba.end(), {p[0], p[1], p[2], p[3]});
                 break;
             }
