@@ -137,19 +137,20 @@ void MeshCache::pointAtCoords(int unit, int stride, std::size_t offset) const {
 void MeshCache::bindCoords(const Scene& scene, const Pass& pass, const Model& model, double time,
                            const CoordKey& coordKey, CoordUse use) {
     const MeshSlot& mesh = *bound_;
-    const TexCoords& own = model.texCoords[static_cast<std::size_t>(coordKey.unit)];
+    const SharedList<glm::vec4>& own = model.texCoords[static_cast<std::size_t>(coordKey.unit)];
     if (own.empty() && !coordKey.embossed && use == CoordUse::AsGiven) {
         glBindBuffer(GL_ARRAY_BUFFER, mesh.vertices.name());
         return pointAtCoords(coordKey.unit, sizeof(Vertex), offsetof(Vertex, texCoord));
     }
-    TexCoords embossed; // depend on the time and the light
+    SharedList<glm::vec4> embossed; // depend on the time and the light
     if (coordKey.embossed)
         embossed = givenTexCoords(scene, pass, coordKey.unit, model, mesh.mesh, time);
-    const TexCoords& list = coordKey.embossed ? embossed : own;
+    const SharedList<glm::vec4>& list = coordKey.embossed ? embossed : own;
     auto [found, isNew] = coords_.try_emplace(coordKey);
     CoordSlot& slot = found->second;
     if (isNew || slot.list != list || slot.mesh != mesh.version || slot.use != use) {
-        TexCoords coords = coordKey.embossed ? embossed : effectiveTexCoords(model, mesh.mesh, coordKey.unit);
+        TexCoords coords =
+            coordKey.embossed ? embossed.read() : effectiveTexCoords(model, mesh.mesh, coordKey.unit);
         slot.list = list;
         slot.mesh = mesh.version;
         slot.use = use;

@@ -64,7 +64,7 @@ private:
         auto operator<=>(const CoordKey&) const = default; // NOLINT(modernize-use-nullptr)
     };
     struct CoordSlot {
-        TexCoords list; ///< the coordinates of the model, or the embossed ones
+        SharedList<glm::vec4> list; ///< the coordinates of the model, or the embossed ones
         std::uint64_t mesh = 0;
         CoordUse use = CoordUse::AsGiven;
         BufferHandle buffer;

@@ -71,6 +71,16 @@ std::string freeName(const ImageSource& images, const std::string& wanted, const
 
 void addImage(Target& target, const NamedFile& file) {
     const std::set<std::string> used = filesOf(target.scene);
+    if (used.contains(plainName(file.name)) && isObjName(file.name)) {
+        Result<MeshFile> meshes = meshFileIn(file.bytes, {});
+        if (!meshes) {
+            target.refused.push_back({meshes.error().code, meshes.error().message, inFile(file.name)});
+            return;
+        }
+        target.images.put(file.name, std::make_shared<const MeshFile>(*std::move(meshes)));
+        target.images.putFile(file.name, file.bytes);
+        return;
+    }
     const std::size_t bytes = target.images.bytesOf(used);
     Result<TextureImage> image = decodeWithin(file.bytes, sceneImageBytes - std::min(sceneImageBytes, bytes));
     if (!image) {

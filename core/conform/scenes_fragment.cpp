@@ -236,7 +236,7 @@ Scene depthTextures(int number, Dice& state, Dice& values) {
     const float last = values.of(ends);
     const bool across = values.chance(2);
     const Mesh quad = makeMesh({Shape::Quad});
-    TexCoords& coords = scene.models[0].texCoords[0];
+    TexCoords& coords = scene.models[0].texCoords[0].edit();
     for (std::size_t i = 0; i < coords.size(); ++i) {
         const glm::vec3& place = quad.vertices[i].position;
         coords[i].p = (across ? place.x : place.y) > 0 ? last : first;

@@ -70,7 +70,7 @@ Scene twoSided(int number, Dice& state, Dice& values) {
     Model& model = scene.models[0];
     model.rotation = {values.number(0, 360), values.number(0, 360), values.number(0, 360)};
     if (values.chance(2)) { // mirrored: what was its front is seen from behind
-        for (glm::vec3& position : model.mesh.positions)
+        for (glm::vec3& position : model.mesh.positions.edit())
             position.x = -position.x;
     }
     return scene;

@@ -140,7 +140,7 @@ Scene matrix(int number, Dice& state, Dice& values) {
     scene.passes[0].units[0].matrix = {step(first), step(second)};
     // Every vertex with a q of its own: s / q is no longer a plane over the quad.
     if (state.chance(2))
-        std::ranges::for_each(scene.models[0].texCoords[0],
+        std::ranges::for_each(scene.models[0].texCoords[0].edit(),
                               [&](glm::vec4& coord) { coord *= values.number(0.5F, 2); });
     return scene;
 }

@@ -125,7 +125,7 @@ Scene meshes(int number, Dice& state, Dice& values) {
         for (int i = 0; i < 12; ++i)
             mesh.indices.push_back((first + i) % 12);
         if (fan)
-            std::reverse(mesh.indices.begin() + 1, mesh.indices.end());
+            std::reverse(mesh.indices.edit().begin() + 1, mesh.indices.edit().end());
     }
     return scene;
 }

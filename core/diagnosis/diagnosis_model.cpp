@@ -83,7 +83,11 @@ void emptyMesh(const Case& about, Report& report) {
             continue;
         const MeshData& mesh = model.mesh;
         const std::size_t given = mesh.indices.empty() ? mesh.positions.size() : mesh.indices.size();
-        if (given < minVertices(mesh.primitive))
+        if (given == 0 && !mesh.file.empty())
+            report.add(modelPath(m, fmt::format("{}.{}", keyOf<&Model::mesh>(), keyOf<&MeshData::file>())),
+                       Sentence("{0} can't be read, or has no part {1}: nothing is drawn",
+                                ProperName{mesh.file}, mesh.part));
+        else if (given < minVertices(mesh.primitive))
             report.add(modelPath(m, keyOf<&Model::shape>()),
                        mesh.positions.empty()
                            ? N_("the mesh has no vertices: nothing is drawn")

@@ -97,8 +97,9 @@ void undefinedDecal(const Case& about, Report& report) {
 /// Whether r can be anything but 0 when it comes from the models: the meshes have none.
 bool modelsHaveR(const Scene& scene, std::size_t unit) {
     return std::ranges::any_of(scene.models, [&](const Model& model) {
-        const TexCoords& own = model.texCoords[unit];
-        const TexCoords& list = own.empty() && model.shape == Shape::Mesh ? model.mesh.texCoords : own;
+        const SharedList<glm::vec4>& own = model.texCoords[unit];
+        const SharedList<glm::vec4>& list =
+            own.empty() && model.shape == Shape::Mesh ? model.mesh.texCoords : own;
         return std::ranges::any_of(list, [](const glm::vec4& each) { return each.z != 0; });
     });
 }

@@ -49,7 +49,7 @@ std::vector<Fix> normalFixes(const Scene& scene, std::size_t model, const std::s
     constexpr std::size_t longest = 64;
     Scene fixed;
     fixed.models.assign(model + 1, {});
-    std::vector<glm::vec3>& normals = fixed.models[model].mesh.normals;
+    std::vector<glm::vec3>& normals = fixed.models[model].mesh.normals.edit();
     normals = scene.models[model].mesh.normals;
     if (normals.size() > longest)
         return {};

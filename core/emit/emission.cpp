@@ -257,6 +257,18 @@ void TextureCodes::keep(TexelRequest request, Code code) {
     kept_.push_back({std::move(request), std::move(code)});
 }
 
+Result<void> checkMeshes(const Scene& scene) {
+    for (std::size_t m = 0; m < scene.models.size(); ++m) {
+        const MeshData& mesh = scene.models[m].mesh;
+        if (scene.models[m].shape == Shape::Mesh && mesh.positions.size() > maxMeshVertices)
+            return fail(ErrorCode::TooLarge,
+                        Sentence("the mesh has {0} vertices; a program has at most {1} in its text",
+                                 mesh.positions.size(), maxMeshVertices),
+                        fmt::format("{}.{}", elementOf<&Scene::models>(m), keyOf<&Model::mesh>()));
+    }
+    return {};
+}
+
 std::set<std::string> filesRead(const std::vector<Line>& program, const Scene& scene) {
     std::set<std::string> files;
     for (const FileName& each : fileNamesOf(scene)) {

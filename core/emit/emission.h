@@ -190,6 +190,8 @@ void writeShadowMapCalls(Emission& emission);
 /// The models that the light sees, and whether any of them turns with the time.
 [[nodiscard]] std::vector<std::size_t> modelsInLight(const Scene& scene);
 [[nodiscard]] bool spinsInLight(const Emission& emission);
+/// Where a program would have too many vertices in it.
+[[nodiscard]] Result<void> checkMeshes(const Scene& scene);
 /// Where a program can't draw what the light sees: why.
 [[nodiscard]] Result<void> checkShadowMaps(const Scene& scene, const KeyFrames& keys);
 /// The objects that show pictures of passes, in the order in which those are drawn, and the passes of each.

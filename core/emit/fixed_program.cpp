@@ -249,6 +249,8 @@ private:
 
 Result<std::vector<Line>> fixedProgram(const Scene& scene, const ImageSource& images,
                                        const ProgramOptions& options, TextureCodes& codes, KeyFrames& keys) {
+    if (const Result<void> possible = checkMeshes(scene); !possible)
+        return fail(possible.error());
     if (const Result<void> possible = checkShadowMaps(scene, keys); !possible)
         return fail(possible.error());
     if (const Result<void> possible = checkPictures(scene, keys); !possible)

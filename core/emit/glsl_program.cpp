@@ -369,6 +369,8 @@ void leaveOut(GlslEmission& glsl) {
 
 Result<std::vector<Line>> glslProgram(const Scene& scene, const ImageSource& images,
                                       const ProgramOptions& options, TextureCodes& codes, KeyFrames& keys) {
+    if (const Result<void> possible = checkMeshes(scene); !possible)
+        return fail(possible.error());
     if (const Result<void> possible = checkShadowMaps(scene, keys); !possible)
         return fail(possible.error());
     if (const Result<void> possible = checkPictures(scene, keys); !possible)

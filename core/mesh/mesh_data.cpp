@@ -157,7 +157,7 @@ glm::vec3 unitNormal(const glm::vec3& normal) {
 
 /// The vertex's entry, or `otherwise` where the list is empty or doesn't fit.
 template<typename Value>
-Value entryOr(const std::vector<Value>& list, std::size_t index, const MeshData& data,
+Value entryOr(const SharedList<Value>& list, std::size_t index, const MeshData& data,
               const Value& otherwise) {
     return list.size() == data.positions.size() ? list[index] : otherwise;
 }

@@ -222,7 +222,7 @@ glm::vec3 unitOf(const glm::dvec3& vector) {
     return std::isfinite(length) && length > 0 ? glm::vec3(vector / length) : glm::vec3(0, 0, 1);
 }
 
-/// Meshes of one part: each has as many vertices and indices as a mesh may.
+/// Makes the mesh of a part.
 class PartMaker {
 public:
     PartMaker(const Lines& lines, const std::vector<glm::dvec3>& means, ObjFile& out)
@@ -230,34 +230,30 @@ public:
         , means_(means)
         , out_(out) {}
 
-    void add(const std::string& name, int material, std::span<const std::vector<Triangle>* const> lists) {
-        begin(name, material);
-        for (const std::vector<Triangle>* list : lists) {
-            for (const Triangle& triangle : *list) {
-                if (part_.mesh.positions.size() + 3 > maxMeshVertices ||
-                    part_.mesh.indices.size() + 3 > maxMeshIndices) {
-                    end();
-                    begin(name, material);
-                }
-                for (const Corner& corner : triangle)
-                    part_.mesh.indices.push_back(vertexOf(corner));
-            }
-        }
-        end();
-    }
-
-private:
-    void begin(const std::string& name, int material) {
+    Result<void> add(const std::string& name, int material,
+                     std::span<const std::vector<Triangle>* const> lists) {
         part_ = {name, material, {}};
         numbers_.clear();
         hasTexCoords_ = false;
-    }
-    void end() {
+        for (const std::vector<Triangle>* list : lists)
+            for (const Triangle& triangle : *list)
+                for (const Corner& corner : triangle)
+                    part_.mesh.indices.push_back(vertexOf(corner));
+        const std::size_t vertices = part_.mesh.positions.size();
+        const std::size_t indices = part_.mesh.indices.size();
+        if (vertices > maxFileVertices || indices > maxFileIndices)
+            return fail(ErrorCode::TooLarge,
+                        Sentence("a part has {0} vertices and {1} corners of triangles; at most {2} and {3} "
+                                 "are read",
+                                 vertices, indices, maxFileVertices, maxFileIndices));
         if (!hasTexCoords_)
             part_.mesh.texCoords.clear();
-        if (!part_.mesh.indices.empty())
+        if (indices > 0)
             out_.parts.push_back(std::move(part_));
+        return {};
     }
+
+private:
     int vertexOf(const Corner& corner) {
         MeshData& mesh = part_.mesh;
         const auto [found, isNew] = numbers_.try_emplace(corner, static_cast<int>(mesh.positions.size()));
@@ -309,12 +305,16 @@ Result<void> makeParts(ObjFile& out, const Lines& lines, std::size_t maxParts) {
     if (lines.parts.size() <= maxParts) {
         for (std::size_t i = 0; i < lines.parts.size(); ++i) {
             const std::array lists{&lines.triangles[i]};
-            maker.add(lines.parts[i].first, materialNumber(out, lines, lines.parts[i].second), lists);
+            if (Result<void> made =
+                    maker.add(lines.parts[i].first, materialNumber(out, lines, lines.parts[i].second), lists);
+                !made)
+                return made;
         }
         return {};
     }
     for (const auto& [material, lists] : ofMaterial)
-        maker.add(material, materialNumber(out, lines, material), lists);
+        if (Result<void> made = maker.add(material, materialNumber(out, lines, material), lists); !made)
+            return made;
     out.notes.push_back(Sentence("{0} objects are merged by their materials", lines.parts.size()));
     return {};
 }
@@ -343,10 +343,6 @@ Result<ObjFile> decodeObj(ByteView file, const ReadMaterials& materials, std::si
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "not enough memory for its vertices");
     }
-    if (out.parts.size() > maxParts)
-        return fail(ErrorCode::TooLarge,
-                    Sentence("it needs {0} models of up to {1} vertices; a scene has at most {2}",
-                             out.parts.size(), maxMeshVertices, maxParts));
     return out;
 }
 

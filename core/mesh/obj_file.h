@@ -31,7 +31,7 @@ struct ObjPart {
 };
 
 struct ObjFile {
-    std::vector<ObjPart> parts;         ///< not empty; none has more than maxMeshVertices or maxMeshIndices
+    std::vector<ObjPart> parts;         ///< not empty; none has more than maxFileVertices or maxFileIndices
     std::vector<ObjMaterial> materials; ///< those of the parts
     std::vector<Sentence> notes;        ///< what of the file was left out
 };
@@ -41,9 +41,9 @@ using ReadMaterials = std::function<std::optional<std::string>(const std::string
 
 /// Reads the polygons of an OBJ file. A polygon becomes a fan of triangles. Where a polygon has no normals,
 /// each of its vertices has the mean of the triangles' normals at its position, by their areas. More than
-/// `maxParts` parts are merged by material; larger parts become several. Lines, points, curves and smoothing
-/// groups are left out. Errors: those of checkedObjLines(); Malformed for a polygon of vertices that there
-/// are not, or no polygon; TooLarge for more than `maxParts` parts in the end.
+/// `maxParts` parts are merged by material. Lines, points, curves and smoothing groups are left out. Errors:
+/// those of checkedObjLines(); Malformed for a polygon of vertices that there are not, or no polygon;
+/// TooLarge for more than `maxParts` materials, or a part that is too large.
 [[nodiscard]] Result<ObjFile> decodeObj(ByteView file, const ReadMaterials& materials, std::size_t maxParts);
 
 } // namespace texplorer

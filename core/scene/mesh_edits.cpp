@@ -14,16 +14,16 @@ void eachVertexList(Model& model, const auto& edit) {
     const std::size_t count = mesh.positions.size();
     const auto visit = [&](auto& list) {
         if (list.size() == count)
-            edit(list);
+            edit(list.edit());
         else
             list.clear();
     };
     visit(mesh.normals);
     visit(mesh.colors);
     visit(mesh.texCoords);
-    for (TexCoords& list : model.texCoords)
+    for (SharedList<glm::vec4>& list : model.texCoords)
         visit(list);
-    edit(mesh.positions);
+    edit(mesh.positions.edit());
 }
 
 /// Calls `edit` with the numbers of the vertices without glTexCoord; those of no vertex are dropped.
@@ -92,10 +92,22 @@ Result<void> turnIntoMesh(Model& model) {
                         Sentence("the triangles of the {0} have {1} corners, a mesh has at most {2} indices",
                                  shape, mesh.triangles.size(), maxMeshIndices));
         data.primitive = Primitive::Triangles;
-        data.indices.assign(mesh.triangles.begin(), mesh.triangles.end());
+        data.indices = std::vector<int>(mesh.triangles.begin(), mesh.triangles.end());
     }
     model.shape = Shape::Mesh;
     model.mesh = std::move(data);
+    return {};
+}
+
+Result<void> takeVertices(MeshData& mesh) {
+    if (mesh.positions.size() > maxMeshVertices || mesh.indices.size() > maxMeshIndices)
+        return fail(
+            ErrorCode::TooLarge,
+            Sentence("the part of {0} has {1} vertices and {2} indices; at most {3} and {4} can be edited",
+                     ProperName{mesh.file}, mesh.positions.size(), mesh.indices.size(), maxMeshVertices,
+                     maxMeshIndices));
+    mesh.file.clear();
+    mesh.part = 0;
     return {};
 }
 
@@ -105,21 +117,22 @@ glm::vec3 givenNormal(const MeshData& mesh, std::size_t vertex) {
 
 void setPosition(MeshData& mesh, std::size_t vertex, glm::vec3 value, bool together) {
     const glm::vec3 before = mesh.positions[vertex];
+    std::vector<glm::vec3>& positions = mesh.positions.edit();
     if (together)
-        std::ranges::replace(mesh.positions, before, value);
-    mesh.positions[vertex] = value;
+        std::ranges::replace(positions, before, value);
+    positions[vertex] = value;
 }
 
 void setNormal(MeshData& mesh, std::size_t vertex, glm::vec3 value) {
     if (mesh.normals.size() != mesh.positions.size())
         mesh.normals.assign(mesh.positions.size(), glm::vec3(0, 0, 1));
-    mesh.normals[vertex] = value;
+    mesh.normals.edit()[vertex] = value;
 }
 
 void setColor(MeshData& mesh, std::size_t vertex, glm::vec4 value, glm::vec4 others) {
     if (mesh.colors.size() != mesh.positions.size())
         mesh.colors.assign(mesh.positions.size(), others);
-    mesh.colors[vertex] = value;
+    mesh.colors.edit()[vertex] = value;
 }
 
 bool appendVertex(Model& model, std::size_t like) {
@@ -146,10 +159,11 @@ bool duplicateVertex(Model& model, std::size_t vertex) {
         return false;
     insertLike(model, vertex, vertex + 1);
     const int like = static_cast<int>(vertex);
-    for (int& index : mesh.indices)
+    std::vector<int>& indices = mesh.indices.edit();
+    for (int& index : indices)
         index += index > like ? 1 : 0;
-    if (const auto drawn = std::ranges::find(mesh.indices, like); drawn != mesh.indices.end())
-        mesh.indices.insert(drawn + 1, like + 1);
+    if (const auto drawn = std::ranges::find(indices, like); drawn != indices.end())
+        indices.insert(drawn + 1, like + 1);
     return true;
 }
 

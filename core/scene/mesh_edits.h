@@ -14,6 +14,10 @@ namespace texplorer {
 /// coordinates stay. Errors, without changes: more than maxMeshVertices or maxMeshIndices, or already a mesh.
 [[nodiscard]] Result<void> turnIntoMesh(Model& model);
 
+/// Makes the vertices of a file the scene's own, which edits need. Errors, without changes: TooLarge for more
+/// than maxMeshVertices or maxMeshIndices.
+[[nodiscard]] Result<void> takeVertices(MeshData& mesh);
+
 /// (0, 0, 1) if the mesh has no normals.
 [[nodiscard]] glm::vec3 givenNormal(const MeshData& mesh, std::size_t vertex);
 

@@ -2,6 +2,7 @@
 
 #include "texplorer/scene/animation.h"
 #include "texplorer/scene/drawn_models.h"
+#include "texplorer/scene/mesh_edits.h"
 #include "texplorer/scene/model_mesh.h"
 
 #include <glm/geometric.hpp>
@@ -82,14 +83,31 @@ struct Placed {
     std::size_t index;
     bool closed; ///< one can't see the inner side of its faces
     glm::mat4 toScene;
+    const MeshData* file; ///< triangles of a file, of which no mesh is made; nullptr: it has a mesh
     Mesh mesh;
     glm::mat3 normals = glm::transpose(glm::inverse(glm::mat3(toScene)));
 };
+
+/// Calls `visit` with the number, position and normal of each vertex.
+void eachVertex(const Placed& placed, const auto& visit) {
+    for (std::size_t v = 0; placed.file && v < placed.file->positions.size(); ++v)
+        visit(v, placed.file->positions[v], givenNormal(*placed.file, v));
+    for (std::size_t v = 0; v < placed.mesh.vertices.size(); ++v)
+        visit(v, placed.mesh.vertices[v].position, placed.mesh.vertices[v].normal);
+}
 
 bool hides(const Placed& placed, const Sight& sight) {
     const glm::mat4 toModel = glm::inverse(placed.toScene);
     const Sight local{glm::vec3(toModel * glm::vec4(sight.from, 1)),
                       glm::vec3(toModel * glm::vec4(sight.way, 0)), sight.length};
+    if (placed.file) {
+        const auto at = [&](std::size_t i) {
+            return placed.file->positions[static_cast<std::size_t>(placed.file->indices[i])];
+        };
+        for (std::size_t i = 0; i + 2 < placed.file->indices.size(); i += 3)
+            if (crosses(local, at(i), at(i + 1), at(i + 2)))
+                return true;
+    }
     const auto& vertices = placed.mesh.vertices;
     const auto& triangles = placed.mesh.triangles;
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
@@ -139,26 +157,29 @@ std::optional<PickedVertex> pickVertex(const Scene& scene, double time, float as
             continue;
         const Model& model = scene.models[i];
         const glm::mat4 placed = modelMatrix(model, time);
+        const bool isFile = model.shape == Shape::Mesh && !model.mesh.file.empty() &&
+                            model.mesh.primitive == Primitive::Triangles;
         models.push_back({i, isClosed(model), model.attachment == Attachment::Eye ? fromEye * placed : placed,
-                          meshOf(model)});
+                          isFile ? &model.mesh : nullptr, isFile ? Mesh{} : meshOf(model)});
     }
 
     std::vector<Candidate> candidates;
-    for (const Placed& placed : models)
-        for (std::size_t v = 0; v < placed.mesh.vertices.size(); ++v) {
-            const Vertex& vertex = placed.mesh.vertices[v];
-            const auto spot = project(camera * placed.toScene, vertex.position);
+    for (const Placed& placed : models) {
+        const glm::mat4 toClip = camera * placed.toScene;
+        eachVertex(placed, [&](std::size_t v, glm::vec3 position, glm::vec3 given) {
+            const auto spot = project(toClip, position);
             if (!spot)
-                continue;
+                return;
             const float distance = glm::length((*spot - point) * glm::vec2(aspect, 1));
             if (!(distance <= radius))
-                continue;
-            const Sight sight = viewer.sightOf(glm::vec3(placed.toScene * glm::vec4(vertex.position, 1)));
-            const glm::vec3 normal = glm::normalize(placed.normals * vertex.normal);
+                return;
+            const Sight sight = viewer.sightOf(glm::vec3(placed.toScene * glm::vec4(position, 1)));
+            const glm::vec3 normal = glm::normalize(placed.normals * given);
             const float facing = glm::dot(normal, glm::normalize(sight.way));
             if (facing > 0 || !placed.closed)
                 candidates.push_back({{placed.index, v}, distance, std::abs(facing), sight});
-        }
+        });
+    }
     std::ranges::sort(candidates, {}, &Candidate::distance);
     candidates.resize(std::min(candidates.size(), maxCandidates), Candidate{});
 

@@ -113,7 +113,7 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-/// The coordinates of every vertex for one texture unit; empty: those of the mesh.
+/// The coordinates of every vertex for one texture unit.
 using TexCoords = std::vector<glm::vec4>;
 
 /// A glTranslate, glRotate, glScale, glMultMatrix or glLoadMatrix on the texture matrix, with its rate of
@@ -158,9 +158,9 @@ struct Model {
     float lineWidth = 1; ///< pixels
     float pointSize = 1; ///< pixels
     bool ownMaterial = false;
-    Material material{};                         ///< if ownMaterial
-    MeshData mesh{};                             ///< for Shape::Mesh
-    std::array<TexCoords, maxUnits> texCoords{}; ///< one list per unit; empty: the mesh's
+    Material material{};                                     ///< if ownMaterial
+    MeshData mesh{};                                         ///< for Shape::Mesh
+    std::array<SharedList<glm::vec4>, maxUnits> texCoords{}; ///< one list per unit; empty: the mesh's
     /// Per unit: the vertices whose glTexCoord is left out (texplorer/scene/sent_vertices.h).
     std::array<std::vector<int>, maxUnits> noTexCoord{};
     bool pushMatrix = true; ///< glPushMatrix and glPopMatrix around the model: its steps hold for it alone

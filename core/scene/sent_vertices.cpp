@@ -35,7 +35,7 @@ std::vector<std::uint32_t> orderOf(const Model& model, const Mesh& mesh) {
 
 /// The vertices' entries in a list that has one for each, in the order in which they are sent.
 template<class T>
-std::vector<T> inOrder(const std::vector<T>& list, const Mesh& mesh, const std::vector<SentVertex>& sent) {
+std::vector<T> inOrder(const SharedList<T>& list, const Mesh& mesh, const std::vector<SentVertex>& sent) {
     std::vector<T> values;
     if (list.size() != mesh.vertices.size())
         return values;
@@ -67,7 +67,7 @@ Model expanded(const Model& model, const Mesh& mesh, const std::vector<SentVerte
             list.push_back(each.coordsOf[u] ? given[*each.coordsOf[u]] : glm::vec4(0, 0, 0, 1));
         if (u == 0)
             made.mesh.texCoords = list;
-        made.texCoords[u] = list == made.mesh.texCoords ? TexCoords() : std::move(list);
+        made.texCoords[u] = list == made.mesh.texCoords.read() ? TexCoords() : std::move(list);
     }
     return made;
 }

@@ -3,9 +3,9 @@
 #include "texplorer/base/worker.h"
 #include "texplorer/codec/image_file.h"
 #include "texplorer/codec/registry.h"
+#include "texplorer/files/file_io.h"
 #include "texplorer/image/thumbnail.h"
 #include "texplorer/s3tc/surface_pixels.h"
-#include "texplorer/texture/image_budget.h"
 
 #include <algorithm>
 #include <utility>
@@ -26,6 +26,21 @@ DecodeLimits thumbnailLimits(const std::stop_token& stop) {
 
 constexpr FailureWords loadingFailure{N_("not enough memory for what it holds"), N_("can't be loaded")};
 
+Result<Content> readMeshes(const std::filesystem::path& path, std::size_t left, const ReadObserver& observer,
+                           const std::function<void()>& decoding) {
+    const Result<Bytes> bytes = readFile(path, maxObjBytes, observer);
+    if (!bytes)
+        return fail(bytes.error());
+    if (decoding)
+        decoding();
+    Result<MeshFile> meshes = meshFileIn(*bytes, path);
+    if (!meshes)
+        return fail(meshes.error());
+    if (byteCount(*meshes) > left)
+        return fail(beyondBudget(byteCount(*meshes), left));
+    return std::make_shared<const MeshFile>(*std::move(meshes));
+}
+
 /// `decoding` is called when the file is read.
 Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size_t left,
                      const std::stop_token& stop, const ReadObserver& observer,
@@ -33,6 +48,8 @@ Result<Content> work(const std::filesystem::path& path, Wanted wanted, std::size
     const std::size_t maxBytes =
         wanted == Wanted::Thumbnail ? ImageLoader::thumbnailFileBytes : defaultMaxFileBytes;
     Result<Content> content = tried(loadingFailure, [&]() -> Result<Content> {
+        if (wanted == Wanted::Texture && isObjName(path))
+            return readMeshes(path, left, observer, decoding);
         Result<Bytes> bytes = readImageFile(path, maxBytes, observer);
         if (!bytes)
             return fail(bytes.error());
@@ -98,9 +115,12 @@ struct ImageLoader::State {
 std::size_t ImageLoader::State::left() const {
     std::size_t waitingBytes = 0;
     worker.look([&](const Loaded& each) {
-        if (each.content)
-            if (const auto* texture = std::get_if<std::shared_ptr<const TextureImage>>(&*each.content))
-                waitingBytes += byteCount(**texture);
+        if (!each.content)
+            return;
+        if (const auto* texture = std::get_if<std::shared_ptr<const TextureImage>>(&*each.content))
+            waitingBytes += byteCount(**texture);
+        else if (const auto* meshes = std::get_if<std::shared_ptr<const MeshFile>>(&*each.content))
+            waitingBytes += byteCount(**meshes);
     });
     return sceneImageBytes - std::min(sceneImageBytes, waitingBytes);
 }
@@ -153,8 +173,9 @@ void ImageLoader::wait() const {
     state_->worker.wait();
 }
 
-Result<ImageLoader::Content> loadNow(const std::filesystem::path& path, ImageLoader::Wanted wanted) {
-    return work(path, wanted, sceneImageBytes, {}, {}, {});
+Result<ImageLoader::Content> loadNow(const std::filesystem::path& path, ImageLoader::Wanted wanted,
+                                     std::size_t left) {
+    return work(path, wanted, left, {}, {}, {});
 }
 
 } // namespace texplorer

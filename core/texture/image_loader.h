@@ -5,6 +5,8 @@
 #include "texplorer/codec/common/anatomy.h"
 #include "texplorer/image/image.h"
 #include "texplorer/image/texture_image.h"
+#include "texplorer/mesh/mesh_file.h"
+#include "texplorer/texture/image_budget.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -36,15 +38,15 @@ class ImageLoader {
 public:
     using Ticket = std::uint64_t; ///< never 0
     enum class Wanted {
-        Texture,   ///< the whole content: a TextureImage
+        Texture,   ///< the whole content: a TextureImage, or a MeshFile of a file NAME.obj
         Thumbnail, ///< a small upright Image; refused for files above thumbnailFileBytes, or with many texels
         Anatomy,   ///< a DissectedFile
     };
     static constexpr int thumbnailExtent = 64;
     static constexpr std::size_t thumbnailFileBytes = std::size_t{64} << 20;
 
-    using Content =
-        std::variant<std::shared_ptr<const TextureImage>, Image, std::shared_ptr<const DissectedFile>>;
+    using Content = std::variant<std::shared_ptr<const TextureImage>, Image,
+                                 std::shared_ptr<const DissectedFile>, std::shared_ptr<const MeshFile>>;
     struct Loaded {
         Ticket ticket = 0;
         std::filesystem::path path;
@@ -88,8 +90,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// The same on the calling thread.
-[[nodiscard]] Result<ImageLoader::Content> loadNow(const std::filesystem::path& path,
-                                                   ImageLoader::Wanted wanted);
+/// The same on the calling thread, within `left` of sceneImageBytes.
+[[nodiscard]] Result<ImageLoader::Content>
+loadNow(const std::filesystem::path& path, ImageLoader::Wanted wanted, std::size_t left = sceneImageBytes);
 
 } // namespace texplorer

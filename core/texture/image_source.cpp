@@ -3,6 +3,7 @@
 #include "texplorer/codec/image_file.h"
 #include "texplorer/files/file_fingerprint.h"
 #include "texplorer/image/patterns/pattern.h"
+#include "texplorer/texture/image_loader.h"
 
 #include <fmt/core.h>
 
@@ -32,6 +33,18 @@ Result<SharedImage> readImage(const std::filesystem::path& path, std::size_t lef
     if (!texture)
         return fail(texture.error().code, texture.error().message, inFile(path.string()));
     return std::make_shared<const TextureImage>(std::move(*texture));
+}
+
+using SharedMeshes = std::shared_ptr<const MeshFile>;
+
+Result<SharedMeshes> readMeshes(const std::filesystem::path& path, std::size_t left) {
+    if (!isObjName(path))
+        return fail(ErrorCode::Unsupported, "expected an OBJ file, whose name ends with .obj",
+                    inFile(path.string()));
+    Result<ImageLoader::Content> content = loadNow(path, ImageLoader::Wanted::Texture, left);
+    if (!content)
+        return fail(content.error());
+    return std::get<SharedMeshes>(*std::move(content));
 }
 
 // Patterns are constants that are worked out when they are first asked for; every source shares them.
@@ -122,9 +135,10 @@ ImageSource::ImageSource(std::filesystem::path directory)
 std::vector<Error> ImageSource::loadAll(const Scene& scene, Decoding decoding, std::size_t budget) {
     std::vector<Error> errors;
     std::map<FileFingerprint, Result<SharedImage>> read;
+    std::map<std::string, Error> refused; // meshes
     std::size_t used = bytesOf(filesOf(scene));
     for (const FileName& name : fileNamesOf(scene)) {
-        if (!name.used || files_.contains(name.file))
+        if (!name.used || holds(name.file))
             continue;
         if (name.file.empty()) {
             errors.push_back(
@@ -132,6 +146,19 @@ std::vector<Error> ImageSource::loadAll(const Scene& scene, Decoding decoding, s
             continue;
         }
         const std::filesystem::path path = directory_ / name.file;
+        if (name.isMesh) {
+            if (!refused.contains(name.file)) {
+                if (auto meshes = readMeshes(path, budget - std::min(budget, used))) {
+                    used += byteCount(**meshes);
+                    put(name.file, *std::move(meshes));
+                    continue;
+                } else {
+                    refused.emplace(name.file, meshes.error());
+                }
+            }
+            errors.push_back(within(name.path, refused.at(name.file)));
+            continue;
+        }
         const std::optional<FileFingerprint> same = fingerprintOf(path);
         const auto known = same ? read.find(*same) : read.end();
         const Result<SharedImage> image =
@@ -161,6 +188,9 @@ std::size_t ImageSource::bytesOf(const std::set<std::string>& files) const {
         if (const auto found = files_.find(file); found != files_.end())
             images.insert(found->second);
     std::size_t bytes = 0;
+    for (const std::string& file : files)
+        if (const auto found = meshes_.find(file); found != meshes_.end())
+            bytes += byteCount(*found->second);
     for (const SharedImage& image : images)
         bytes += byteCount(*image);
     return bytes;
@@ -176,6 +206,12 @@ std::vector<FileName> fileNamesOf(const Scene& scene) {
         for (const std::string& each : later)
             names.push_back({path, each, used});
     });
+    for (std::size_t i = 0; i < scene.models.size(); ++i) {
+        const Model& model = scene.models[i];
+        if (!model.mesh.file.empty())
+            names.push_back(
+                {fmt::format("models[{}].mesh.file", i), model.mesh.file, model.shape == Shape::Mesh, true});
+    }
     return names;
 }
 
@@ -195,6 +231,15 @@ void renameFiles(Scene& scene, const std::function<std::string(const std::string
             if (key.path == path && !key.value.empty())
                 key.value = rename(key.value);
     });
+    for (Model& model : scene.models)
+        if (!model.mesh.file.empty())
+            model.mesh.file = rename(model.mesh.file);
+}
+
+void ImageSource::fillMeshes(Scene& scene) const {
+    for (Model& model : scene.models)
+        if (!model.mesh.file.empty())
+            model.mesh = meshOf(model.mesh, meshesOf(model.mesh.file).get());
 }
 
 void ImageSource::put(const std::string& file, Image image) {

@@ -3,6 +3,7 @@
 #include "texplorer/base/bytes.h"
 #include "texplorer/base/result.h"
 #include "texplorer/image/texture_image.h"
+#include "texplorer/mesh/mesh_file.h"
 #include "texplorer/scene/pass_pictures.h"
 #include "texplorer/texture/image_budget.h"
 #include "texplorer/texture/texture_pictures.h"
@@ -14,13 +15,14 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace texplorer {
 
-/// The images of a scene's textures: the whole content of files, with levels and compressed blocks. Renderers
-/// call `find`, which never reads files; the program calls `load` before. Copies are cheap: images are shared
-/// and immutable.
+/// The images of a scene's textures: the whole content of files, with levels and compressed blocks; and the
+/// OBJ files of its meshes. Renderers call `find`, which never reads files; the program calls `load` before.
+/// Copies are cheap: images are shared and immutable.
 class ImageSource {
 public:
     /// Relative paths refer to the current directory.
@@ -34,6 +36,15 @@ public:
     /// refer to it, while all images of the scene need at most `budget` bytes. All files are tried; the first
     /// error is returned, with the parameter of the file in `where`.
     [[nodiscard]] Result<void> load(const Scene& scene, std::size_t budget = sceneImageBytes);
+    /// The same, and fills the scene's meshes.
+    [[nodiscard]] Result<void> load(Scene& scene) {
+        Result<void> loaded = load(std::as_const(scene));
+        fillMeshes(scene);
+        return loaded;
+    }
+
+    /// Gives the models that name a file its vertices, or none where it isn't loaded.
+    void fillMeshes(Scene& scene) const;
 
     /// The same; also for outlines (DecodeLimits::pixels), which are enough for most of a diagnosis, but not
     /// for drawing. Returns an error for each parameter whose file cannot be read, in order.
@@ -47,6 +58,9 @@ public:
     }
     void put(const std::string& file, std::shared_ptr<const TextureImage> image) {
         files_[file] = std::move(image);
+    }
+    void put(const std::string& file, std::shared_ptr<const MeshFile> meshes) {
+        meshes_[file] = std::move(meshes);
     }
     /// A picture, in the normal orientation of an Image.
     void put(const std::string& file, Image image);
@@ -92,10 +106,14 @@ public:
     void share(const std::string& file, const ImageSource& other, const std::string& nameThere) {
         if (const auto found = other.files_.find(nameThere); found != other.files_.end())
             files_[file] = found->second;
+        if (const auto found = other.meshes_.find(nameThere); found != other.meshes_.end())
+            meshes_[file] = found->second;
     }
 
     /// Whether a file is loaded; `file` is spelled as in Texture::file.
-    [[nodiscard]] bool holds(const std::string& file) const { return files_.contains(file); }
+    [[nodiscard]] bool holds(const std::string& file) const {
+        return files_.contains(file) || meshes_.contains(file);
+    }
 
     /// The content of a file, or nullptr if it is not loaded.
     [[nodiscard]] std::shared_ptr<const TextureImage> contentOf(const std::string& file) const {
@@ -103,13 +121,21 @@ public:
         return found == files_.end() ? nullptr : found->second;
     }
 
-    /// The size of the images of these files, each image counted once.
+    /// The meshes of an OBJ file, or nullptr.
+    [[nodiscard]] std::shared_ptr<const MeshFile> meshesOf(const std::string& file) const {
+        const auto found = meshes_.find(file);
+        return found == meshes_.end() ? nullptr : found->second;
+    }
+
+    /// The size of the content of these files, each image counted once.
     [[nodiscard]] std::size_t bytesOf(const std::set<std::string>& files) const;
 
     /// All loaded files, whether the scene still uses them or not.
     [[nodiscard]] std::vector<std::string> files() const {
         std::vector<std::string> names;
         for (const auto& [name, image] : files_)
+            names.push_back(name);
+        for (const auto& [name, meshes] : meshes_)
             names.push_back(name);
         return names;
     }
@@ -127,6 +153,7 @@ private:
 
     std::filesystem::path directory_;
     std::map<std::string, std::shared_ptr<const TextureImage>> files_;
+    std::map<std::string, std::shared_ptr<const MeshFile>> meshes_;
     std::map<std::string, std::shared_ptr<const Bytes>> inMemory_;
     std::map<int, std::shared_ptr<const TextureImage>> lightDepths_; ///< by size
     std::map<PictureKey, std::shared_ptr<const TextureImage>> pictures_;
@@ -137,20 +164,21 @@ private:
 /// or of colours.
 [[nodiscard]] std::shared_ptr<const TextureImage> drawnImage(Image image);
 
-/// A parameter that refers to an image file.
+/// A parameter that refers to a file: an image, or an OBJ file.
 struct FileName {
-    std::string path; ///< "textures[0].levels[1].file"
+    std::string path; ///< "textures[0].levels[1].file", "models[0].mesh.file"
     std::string file;
-    bool used = false; ///< the texture currently uses it
+    bool used = false; ///< the texture currently uses it; the model is a mesh
+    bool isMesh = false;
 
     bool operator==(const FileName&) const = default;
 };
 
-/// All such parameters of a scene, used or not, also empty ones: first the texture's, then its levels' and
-/// its preparation's.
+/// All such parameters of a scene, used or not, also empty ones: of each texture its own, then its levels'
+/// and its preparation's; last those of meshes, which are not empty.
 [[nodiscard]] std::vector<FileName> fileNamesOf(const Scene& scene);
 
-/// The files that the textures of a scene use.
+/// The files that a scene uses.
 [[nodiscard]] std::set<std::string> filesOf(const Scene& scene);
 
 /// Renames all files in a scene, used or not: `rename` is called for names that are not empty.

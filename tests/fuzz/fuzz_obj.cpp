@@ -16,7 +16,7 @@ namespace {
 
 void check(const MeshData& mesh) {
     const std::size_t count = mesh.positions.size();
-    const bool fits = count <= maxMeshVertices && mesh.indices.size() <= maxMeshIndices &&
+    const bool fits = count <= maxFileVertices && mesh.indices.size() <= maxFileIndices &&
                       mesh.normals.size() == count &&
                       (mesh.texCoords.empty() || mesh.texCoords.size() == count);
     if (!fits || mesh.indices.empty() || mesh.indices.size() % 3 != 0)
@@ -47,7 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         fuzz::broken("the number of parts is wrong");
     for (const ObjPart& part : file->parts)
         check(part.mesh);
-    if (!parseScene(writeScene(sceneOf(*file))))
+    if (!parseScene(writeScene(sceneOf(*file, "a.obj"))))
         fuzz::broken("the scene can't be read again");
     return 0;
 }

@@ -154,6 +154,8 @@ Value Generator::valueOf(const ParamRow& row, const Value& start) {
     case Kind::Enum:
         return EnumValue{dice_.of(row.choices).value};
     case Kind::Text:
+        if (row.member == memberId<&MeshData::file>)
+            return std::string(); // the vertices are random
         if (row.member != memberId<&Texture::file> && row.member != memberId<&GivenLevel::file> &&
             row.member != memberId<&ImageStep::file> && row.member != memberId<&Subimage::file>)
             return std::string(dice_.of(names));
@@ -321,11 +323,11 @@ void fit(Scene& scene, Temper temper, Generator& generator, Dice& dice, bool has
         if (model.shape == Shape::Mesh || dice.chance(8)) // their own vertices, which are not drawn
             fitMesh(model.mesh, generator, dice);
         const std::size_t count = vertexCountOf(model);
-        for (TexCoords& list : model.texCoords) {
+        for (SharedList<glm::vec4>& list : model.texCoords) {
             if (count > maxOwnCoordinates || !dice.chance(3))
                 continue;
             list.resize(count);
-            for (glm::vec4& each : list)
+            for (glm::vec4& each : list.edit())
                 each = generator.texCoord();
         }
     }
@@ -419,8 +421,8 @@ void takeAwayWhatDiffers(Scene& scene) {
                !key.path.ends_with("azimuth") && !key.path.ends_with("rotation");
     });
     scene.view.perspectiveHint = HintMode::DontCare;
-    const auto setQ = [](TexCoords& list) {
-        for (glm::vec4& each : list)
+    const auto setQ = [](SharedList<glm::vec4>& list) {
+        for (glm::vec4& each : list.edit())
             each.q = 1;
     };
     for (Model& model : scene.models) {

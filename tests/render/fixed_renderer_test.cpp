@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
                     EditCase{"MagFilter", [](Scene& s) { s.textures[0].magFilter = MagFilter::Linear; }},
                     EditCase{"Wrap", [](Scene& s) { s.textures[0].wrapS = Wrap::ClampToEdge; }},
                     EditCase{"Target", [](Scene& s) { s.passes[0].units[0].target = Target::Texture1D; }},
-                    EditCase{"TexCoord", [](Scene& s) { s.models[0].texCoords[0][2].x += 0.25F; }},
+                    EditCase{"TexCoord", [](Scene& s) { s.models[0].texCoords[0].edit()[2].x += 0.25F; }},
                     EditCase{"TexCoordsOfTheMesh", [](Scene& s) { s.models[0].texCoords[0].clear(); }},
                     EditCase{"Shape", [](Scene& s) { s.models[0].shape = Shape::Floor; }},
                     EditCase{"ShapeThatTheListDoesNotFit", [](Scene& s) { s.models[0].shape = Shape::Cube; }},

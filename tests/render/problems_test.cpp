@@ -92,7 +92,7 @@ TEST_F(Problems, NameAnisotropyThatLlvmpipeIsNotGiven) {
     for (const float lower : {1.0F, -1.0F}) {
         Scene scene = texturedScene();
         scene.models[0].texCoords[0] = quadCoords({0, 0, 0, 1}, {1, 1, 0, 1});
-        scene.models[0].texCoords[0][0].q = lower;
+        scene.models[0].texCoords[0].edit()[0].q = lower;
         const Image plain = picture(scene, 64);
         scene.textures[0].maxAnisotropy = 16;
         const Image found = picture(scene, 64);

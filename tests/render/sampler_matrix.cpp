@@ -129,8 +129,8 @@ std::vector<Case> footprintCases() {
         std::function<void(Scene&)> spoil;
     };
     const std::array ways{
-        Spoiled{"q of vertices", [](Scene& scene) { scene.models[0].texCoords[0][0].q = -1; }},
-        Spoiled{"q near 0", [](Scene& scene) { scene.models[0].texCoords[0][0].q = 1e-6F; }},
+        Spoiled{"q of vertices", [](Scene& scene) { scene.models[0].texCoords[0].edit()[0].q = -1; }},
+        Spoiled{"q near 0", [](Scene& scene) { scene.models[0].texCoords[0].edit()[0].q = 1e-6F; }},
         Spoiled{"q of the object", generated(TexGenMode::ObjectLinear)},
         Spoiled{"q of the eye", generated(TexGenMode::EyeLinear)},
         Spoiled{"q of a matrix",

@@ -122,7 +122,7 @@ TEST_F(TwoSidesOfOther, VerticesGiveTheBackOfTheLastOneUnderFlat) {
     model.mesh.positions = {{-3, -3, 0}, {0, 5, 0}, {3, -3, 0}}; // clockwise
     model.mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, -1}};
     EXPECT_TRUE(isColor(onlyColor(scene), {0.6F, 0.6F, 0.6F, 1}));
-    std::swap(model.mesh.normals[0], model.mesh.normals[2]);
+    std::swap(model.mesh.normals.edit()[0], model.mesh.normals.edit()[2]);
     EXPECT_TRUE(isColor(onlyColor(scene), dark));
 }
 

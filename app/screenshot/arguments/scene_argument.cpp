@@ -39,6 +39,8 @@ Sentence checkAssignment(const std::string& text) {
 /// How much is read of an input that should hold a scene: of a PNG, which has its pixels beside it, all.
 std::size_t maxBytesOf(const std::string& path) {
     std::error_code ignored;
+    if (isObjName(path))
+        return maxObjBytes;
     if (isStandardInput(path) || !std::filesystem::is_regular_file(path, ignored))
         return maxSceneBytes;
     constexpr std::size_t begin = 8; // as long as the signature of a PNG
@@ -53,7 +55,9 @@ Result<SceneContent> readSceneInput(const SceneArgument& argument) {
         return fail(file.error());
     Result<SceneContent> read =
         isObjInput(path, *file)
-            ? sceneOfObj(*file, argument.path().parent_path())
+            ? meshFileIn(*file, argument.path()).and_then([&](MeshFile&& meshes) {
+                  return sceneOfObj(std::move(meshes), argument.path().filename().string());
+              })
             : sceneTextIn(*file).map([](std::string&& text) { return SceneContent{std::move(text)}; });
     if (!read)
         return fail(inScene(argument, read.error()));
@@ -240,7 +244,11 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
         Result<Scene> scene = parseScene(read->text);
         if (!scene)
             return tl::unexpected(SceneProblem{inScene(argument, scene.error()), failure});
-        opened = {*std::move(scene), ImageSource{argument.path().parent_path()}, std::move(read->libraries)};
+        opened = {*std::move(scene), ImageSource{argument.path().parent_path()}};
+        if (read->meshes) {
+            opened.libraries = read->meshes->libraries;
+            opened.images.put(argument.path().filename().string(), std::move(read->meshes));
+        }
     }
     for (const std::string& assignment : argument.assignments) {
         if (const auto assigned = assign(opened.scene, assignment); !assigned)

@@ -128,6 +128,7 @@ ExitCode check(const Options& options) {
         return complain(opened.error().error, opened.error().code);
     const Decoding decoding = looksAtTexels(opened->scene) ? Decoding::Pixels : Decoding::Outline;
     const std::vector<Error> reasons = opened->images.loadAll(opened->scene, decoding);
+    opened->images.fillMeshes(opened->scene);
     std::vector<Finding> findings =
         worthSaying(diagnose(opened->scene, opened->images, pretence->facts()), opened->scene);
     for (const Error& reason : reasons) {

@@ -218,10 +218,8 @@ Validity validateOutput(const std::string& in, ByteView file) {
 /// Standard input lies in the current folder.
 Validity validateObj(const std::string& in, ByteView file) {
     Validity validity{in, "OBJ"};
-    const std::filesystem::path folder =
-        isStandardInput(in) ? std::filesystem::path() : std::filesystem::path(in).parent_path();
-    if (const Result<ObjScene> read = objSceneIn(file, folder))
-        validity.remarks = read->notes;
+    if (const Result<MeshFile> read = meshFileIn(file, isStandardInput(in) ? "" : in))
+        validity.remarks = read->obj.notes;
     else
         validity.faults.push_back(read.error());
     return validity;

@@ -136,10 +136,10 @@ ChangedPaths changedPaths(const Document& document) {
                 changed.insert(fmt::format("{}[{}]", path, vertex));
         }
     };
-    if (const auto* points = std::get_if<std::vector<glm::vec3>>(&*is))
-        compare(*points, std::get<std::vector<glm::vec3>>(*was));
-    else if (const auto* coords = std::get_if<TexCoords>(&*is))
-        compare(*coords, std::get<TexCoords>(*was));
+    if (const auto* points = std::get_if<SharedList<glm::vec3>>(&*is))
+        compare(*points, std::get<SharedList<glm::vec3>>(*was));
+    else if (const auto* coords = std::get_if<SharedList<glm::vec4>>(&*is))
+        compare(*coords, std::get<SharedList<glm::vec4>>(*was));
     else
         return {path};
     return changed;

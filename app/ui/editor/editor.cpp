@@ -103,6 +103,7 @@ void take(Session& session, const Step& step) {
         makeEditsAt(scene, step.edits, {.shown = playback.time, .key = presentKeyTime(session)});
     if (!keyed)
         return say(session, keyed.error());
+    session.document.images.fillMeshes(scene);
     removeGoodNotice(session);
     restPreview(session);
     if (*keyed)

@@ -7,7 +7,9 @@
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
+#include "texplorer/scene/params/json.h"
 #include "texplorer/scene/params/keys.h"
+#include "texplorer/scene/storage/scene_file.h"
 
 #include <algorithm>
 #include <set>
@@ -19,30 +21,36 @@ namespace fs = std::filesystem;
 
 /// Adds the loaded files and their whole content to a source.
 void putAll(ImageSource& images, const Load& load) {
-    for (const auto& [file, texture] : load.arrived)
-        images.put(file, texture);
+    for (const auto& [file, content] : load.arrived) {
+        if (const auto* texture = std::get_if<std::shared_ptr<const TextureImage>>(&content))
+            images.put(file, *texture);
+        else
+            images.put(file, std::get<std::shared_ptr<const MeshFile>>(content));
+    }
 }
 
 /// Takes in a file that has arrived, if the images of its scene leave room for it.
 Result<void> arrive(const Session& session, Load& load, const std::vector<std::string>& spellings,
                     const ImageLoader::Content& content) {
-    const auto& image = std::get<std::shared_ptr<const TextureImage>>(content);
+    const auto* image = std::get_if<std::shared_ptr<const TextureImage>>(&content);
+    const std::size_t bytes =
+        image ? byteCount(**image) : byteCount(*std::get<std::shared_ptr<const MeshFile>>(content));
     const bool own = load.kind == Load::Kind::Scene;
     ImageSource images = own ? load.images : session.document.images;
     std::set<std::string> files = filesOf(own ? load.scene : session.document.scene);
     putAll(images, load);
-    for (const auto& [file, texture] : load.arrived)
+    for (const auto& [file, arrived] : load.arrived)
         files.insert(file);
     for (const std::string& file : spellings)
         files.erase(file); // replaced files
     const std::size_t used = images.bytesOf(files);
-    if (used + byteCount(*image) > sceneImageBytes) {
-        Error refused = beyondBudget(byteCount(*image), sceneImageBytes - std::min(sceneImageBytes, used));
+    if (used + bytes > sceneImageBytes) {
+        Error refused = beyondBudget(bytes, sceneImageBytes - std::min(sceneImageBytes, used));
         refused.where = inFile((folderOf(session, load) / spellings.front()).string());
         return fail(std::move(refused));
     }
     for (const std::string& file : spellings)
-        load.arrived[file] = image;
+        load.arrived[file] = content;
     return {};
 }
 
@@ -50,6 +58,18 @@ void finishImport(Session& session, const Load& load) {
     session.look.fileView.chosen.clear(); // the tab shows the new image
     submit(session, Sentence("Open {0}", ProperName{load.path.filename().string()}),
            [&](Scene& scene) { bindFile(scene, load.pass, load.unit, load.file); });
+}
+
+/// The models of all steps have what has arrived.
+void fillMeshes(Session& session) {
+    Document& document = session.document;
+    if (filesOf(document.scene).empty())
+        return;
+    const auto fill = [&](Scene& scene) { document.images.fillMeshes(scene); };
+    fill(document.scene);
+    fill(document.saved);
+    document.history.change(fill);
+    showPresent(session);
 }
 
 /// The user gets the message in the next frame that has room for it.
@@ -63,6 +83,22 @@ void finishAdd(Session& session, Load& load) {
     submit(session, Sentence("Open {0} images", load.added.size()),
            [&](Scene& scene) { addImages(scene, session.document.images, load); });
     tellRefused(session, load.refused);
+}
+
+/// The scene of an OBJ file, whose images are read next.
+void finishObj(Session& session, Load load) {
+    const std::shared_ptr<const MeshFile> meshes = load.images.meshesOf(load.obj);
+    Result<SceneContent> content =
+        meshes ? sceneOfObj(*meshes, load.obj) : Result<SceneContent>(fail(load.refused.back()));
+    Result<Scene> scene = content ? parseScene(content->text) : Result<Scene>(fail(content.error()));
+    if (!scene)
+        return say(session, scene.error(), folderOf(session, load) / load.obj);
+    load.scene = *std::move(scene);
+    for (const Sentence& note : content->notes)
+        load.notes.push_back(describe({ErrorCode::Unsupported, note, inFile(load.obj)}));
+    load.obj.clear();
+    load.arrived.clear();
+    start(session, std::move(load));
 }
 
 void finishSetFile(Session& session, const Load& load) {
@@ -96,12 +132,18 @@ bool finish(Session& session, Load& load) {
         if (session.asking.dialog != Dialog::None)
             return false;
         putAll(load.images, load);
+        if (!load.obj.empty()) {
+            finishObj(session, std::move(load));
+            return true;
+        }
+        load.images.fillMeshes(load.scene);
         addImages(load.scene, load.images, load);
         tellRefused(session, load.refused);
         showLoadedScene(session, std::move(load));
         return true;
     }
     putAll(session.document.images, load);
+    fillMeshes(session);
     if (load.kind == Load::Kind::Import)
         finishImport(session, load);
     else if (load.kind == Load::Kind::Add)
@@ -234,8 +276,9 @@ bool receiveFiles(Session& session) {
 }
 
 void waitForFiles(Session& session) {
-    session.services.files->wait();
-    (void)receiveFiles(session);
+    do // of an OBJ file the images are known when it has arrived
+        session.services.files->wait();
+    while (receiveFiles(session));
 }
 
 } // namespace texplorer::ui

@@ -18,10 +18,13 @@ std::set<std::string> missingFiles(const Session& session, const Load& load) {
         return {load.file};
     if (load.kind == Load::Kind::Import || load.kind == Load::Kind::SetFile || load.kind == Load::Kind::Used)
         return session.document.images.holds(load.file) ? std::set<std::string>{} : std::set{load.file};
+    if (!load.obj.empty())
+        return {load.obj};
     std::set<std::string> files(load.added.begin(), load.added.end());
     if (load.kind == Load::Kind::Add)
         std::erase_if(files, [&](const std::string& file) { return session.document.images.holds(file); });
     files.merge(filesOf(load.scene));
+    std::erase_if(files, [&](const std::string& file) { return load.images.holds(file); });
     return files;
 }
 

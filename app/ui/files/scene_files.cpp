@@ -11,7 +11,6 @@
 #include "texplorer/files/file_io.h"
 #include "texplorer/lesson/example.h"
 #include "texplorer/scene/params/json.h"
-#include "texplorer/scene/storage/obj_scene.h"
 #include "texplorer/scene/storage/scene_file.h"
 #include "texplorer/scene/storage/scene_link.h"
 
@@ -56,6 +55,7 @@ void replaceByUnsaved(Session& session, Load load) {
     if (saved.hash == load.fileHash) // otherwise it was written again since
         document.fileHash = std::move(saved.hash);
     document.saved = std::move(saved.scene);
+    document.images.fillMeshes(document.saved);
     document.needsFit = false; // the camera belongs to the work
     replaceDocument(session, std::move(document));
     if (UnsavedWork* unsaved = session.services.unsaved)
@@ -67,6 +67,8 @@ Result<std::optional<SceneText>> sceneIn(const fs::path& file) {
     const Result<bool> scene = holdsScene(file);
     if (!scene)
         return fail(scene.error());
+    if (*scene && isObjName(file))
+        return SceneText{}; // it is made when the file has arrived
     if (*scene)
         return readScene(file).map([](SceneText read) { return std::optional(std::move(read)); });
     const Result<Bytes> start = readFileStart(file, recognisedBytes);
@@ -89,9 +91,9 @@ void takeScene(Load& load, const fs::path& path, SceneText read) {
     load.suggested = isSource ? fs::path(file).replace_extension(sceneExtension) : fs::path();
     load.scene = std::move(read.scene);
     load.fileHash = std::move(read.hash);
-    for (const Sentence& note : read.notes)
-        load.notes.push_back(describe({ErrorCode::Unsupported, note, inFile(file.filename().string())}));
     load.images = ImageSource(file.parent_path());
+    if (isObj)
+        load.obj = file.filename().string();
     load.goesOn = isObj; // without images that aren't there
 }
 
@@ -175,7 +177,7 @@ Result<void> openExample(Session& session, std::string_view file) {
 }
 
 Result<void> openScene(Session& session, const fs::path& path) {
-    Result<SceneText> read = readScene(path);
+    Result<SceneText> read = isObjName(path) ? Result<SceneText>(SceneText{}) : readScene(path);
     if (!read)
         return fail(read.error());
     const fs::path file = absolutePath(path);

@@ -74,6 +74,8 @@ std::shared_ptr<const ChangedFile> changedFileOf(const Document& document, const
     if (hash == document.fileHash)
         return nullptr;
     Result<Scene> theirs = text ? parseScene(*text) : Result<Scene>(fail(text.error()));
+    if (theirs)
+        document.images.fillMeshes(*theirs);
     if (theirs && (*theirs == mine || (!document.fileHash.empty() && *theirs == document.saved)))
         return nullptr;
     std::vector<SceneChange> changes = theirs ? changesBetween(*theirs, mine) : std::vector<SceneChange>();
@@ -90,7 +92,7 @@ Result<SceneText> readScene(const fs::path& path) {
     Result<Scene> scene = parseScene(read->text);
     if (!scene)
         return fail(within(inFile(path.string()), scene.error()));
-    return SceneText{std::move(*scene), suite::hashOf(read->text), std::move(read->notes)};
+    return SceneText{std::move(*scene), suite::hashOf(read->text)};
 }
 
 Result<Saving> saveScene(Session& session, const fs::path& path,

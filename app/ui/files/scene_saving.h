@@ -12,8 +12,7 @@ namespace texplorer::ui {
 /// A scene as the text of a file.
 struct SceneText {
     Scene scene{};
-    std::string hash{};            ///< of the text: Document::fileHash
-    std::vector<Sentence> notes{}; ///< what of the file was left out
+    std::string hash{}; ///< of the text: Document::fileHash
 };
 [[nodiscard]] Result<SceneText> readScene(const std::filesystem::path& path);
 

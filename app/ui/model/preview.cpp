@@ -31,6 +31,7 @@ void preview(const Session& session, std::string_view choice, const Sentence& te
         filesOf(edited), [&](const std::string& file) { return session.document.images.holds(file); });
     if (!isLoaded)
         return;
+    session.document.images.fillMeshes(edited);
     act(session, [made = Preview{std::string(choice), text, std::make_shared<const Scene>(std::move(edited)),
                                  scene, true}](Session& changed) { changed.look.preview = made; });
 }

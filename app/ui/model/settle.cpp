@@ -23,7 +23,10 @@ void followShape(Document& document, double time, float aspect) {
     fitDistance(document.scene, time, aspect);
     document.needsFit = false;
     document.fit = {document.scene.view, aspect};
-    document.history.replaceView(before, document.scene.view);
+    document.history.change([&](Scene& scene) {
+        if (scene.view == before)
+            scene.view = document.scene.view;
+    });
     if (document.saved.view == before)
         document.saved.view = document.scene.view;
 }

@@ -47,6 +47,9 @@ std::vector<Edit> addedModel(const Session& session) {
 /// A mesh is shown as a summary: the Vertices tab edits it.
 void meshRows(const Session& session, const Owner& owner, const MeshData& mesh) {
     paramWidget(session, owner, *findParam(meshTable(), keyOf<&MeshData::primitive>()));
+    paramWidget(session, owner, *findParam(meshTable(), keyOf<&MeshData::file>()));
+    if (!mesh.file.empty())
+        paramWidget(session, owner, *findParam(meshTable(), keyOf<&MeshData::part>()));
     const std::size_t vertices = mesh.positions.size();
     const std::size_t indices = mesh.indices.size();
     std::vector<Sentence> lists{Sentence::plural("{0} vertex", "{0} vertices", vertices)};

@@ -36,11 +36,12 @@ Recovery::Recovery(const std::filesystem::path& folder, std::function<void()> wa
 Recovery::Picture Recovery::draw(const Drawing::Task& task) {
     const UnsavedScene& draft = task.job().scene;
     ImageSource images(draft.folder);
-    (void)images.load(draft.scene); // images that cannot be read are missing in the picture
+    Scene scene = draft.scene;
+    (void)images.load(scene); // images that cannot be read are missing in the picture
     reference::DrawOptions options;
     options.levels.stop = options.stop = task.stop();
     Result<Frame> drawn =
-        reference::drawReference({draft.scene, images, 0, pictureWidth, pictureHeight}, options);
+        reference::drawReference({std::move(scene), images, 0, pictureWidth, pictureHeight}, options);
     if (!drawn)
         return {task.job().number, nullptr};
     return {task.job().number, std::make_shared<const Image>(withoutAlpha(std::move(drawn->image)))};

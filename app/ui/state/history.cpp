@@ -2,30 +2,41 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 namespace texplorer::ui {
 
 namespace {
 
-/// About as much as a scene's lists take, and a little for the rest.
-std::size_t bytesOf(const Scene& scene) {
-    constexpr std::size_t fixed = std::size_t{32} << 10;
-    const auto all = [](const auto& list) { return list.size() * sizeof(list[0]); };
-    std::size_t bytes = fixed;
-    for (const Model& model : scene.models) {
-        const MeshData& mesh = model.mesh;
-        bytes += all(mesh.positions) + all(mesh.normals) + all(mesh.colors) + all(mesh.texCoords) +
-                 all(mesh.indices);
-        for (const TexCoords& coords : model.texCoords)
-            bytes += all(coords);
-        for (const std::vector<int>& numbers : model.noTexCoord)
-            bytes += all(numbers);
+/// About as much as the lists of scenes take, each once that they share, and a little for the rest.
+class ListBytes {
+public:
+    std::size_t operator()(const Scene& scene) {
+        constexpr std::size_t fixed = std::size_t{32} << 10;
+        std::size_t bytes = fixed;
+        const auto add = [&](const auto& list) {
+            if (counted_.insert(list.data()).second)
+                bytes += list.size() * sizeof(list[0]);
+        };
+        for (const Model& model : scene.models) {
+            const MeshData& mesh = model.mesh;
+            add(mesh.positions);
+            add(mesh.normals);
+            add(mesh.colors);
+            add(mesh.texCoords);
+            add(mesh.indices);
+            std::ranges::for_each(model.texCoords, add);
+            std::ranges::for_each(model.noTexCoord, add);
+        }
+        for (const KeyFrame& key : scene.timeline.keys)
+            bytes += sizeof key + key.path.size() + key.value.size();
+        return bytes;
     }
-    for (const KeyFrame& key : scene.timeline.keys)
-        bytes += sizeof key + key.path.size() + key.value.size();
-    return bytes;
-}
+
+private:
+    std::set<const void*> counted_;
+};
 
 } // namespace
 
@@ -60,6 +71,7 @@ void History::record(const Scene& scene, Sentence what, std::optional<Reselectio
 void History::forgetOldest() {
     std::size_t kept = 0;
     std::size_t bytes = 0;
+    ListBytes bytesOf;
     for (auto step = steps_.rbegin(); step != steps_.rend() && kept <= limit_; ++step, ++kept) {
         bytes += bytesOf(step->scene);
         if (bytes > maxBytes_ && kept > 1)
@@ -86,13 +98,10 @@ void History::takeBack(Selection& selection) {
     seal();
 }
 
-void History::replaceView(const View& from, const View& to) {
-    for (std::vector<Step>* steps : {&steps_, &redone_}) {
-        for (Step& step : *steps) {
-            if (step.scene.view == from)
-                step.scene.view = to;
-        }
-    }
+void History::change(const std::function<void(Scene&)>& change) {
+    for (std::vector<Step>* steps : {&steps_, &redone_})
+        for (Step& step : *steps)
+            change(step.scene);
 }
 
 void History::goTo(std::size_t step, Selection& selection) {

@@ -5,6 +5,7 @@
 #include "texplorer/image/image.h"
 #include "texplorer/scene/scene.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -30,9 +31,9 @@ public:
     void seal();
     /// Discards the last edit if it is not sealed: it leaves no step, and redo is as before it.
     void takeBack(Selection& selection);
-    /// Replaces the camera `from` by `to` in every step. For changes that are not edits: a camera that
-    /// follows the shape of its view.
-    void replaceView(const View& from, const View& to);
+    /// Changes every step. For changes that are not edits: a camera that follows the shape of its view, the
+    /// vertices of a file that has arrived.
+    void change(const std::function<void(Scene&)>& change);
 
     [[nodiscard]] bool canUndo() const { return position_ > 0; }
     [[nodiscard]] bool canRedo() const { return position_ + 1 < steps_.size(); }

@@ -29,18 +29,19 @@ struct Load {
     std::string file{};           ///< the same in the scene's notation, for images
     /// The missing files, each with all its notations.
     std::map<ImageLoader::Ticket, std::vector<std::string>> waits{};
-    std::map<std::string, std::shared_ptr<const TextureImage>> arrived{}; ///< the loaded ones
-    std::vector<std::string> added{}; ///< Add, Scene: the images in the scene's notation
-    std::vector<Error> refused{};     ///< files that the load skips
-    bool goesOn = false;              ///< whether it skips files that cannot be read
-    bool restores = false;            ///< Scene: unsaved work of a window that crashed
-    int pass = 0;                     ///< Import, Add
-    int unit = 0;                     ///< Import, Add
-    std::string param{};              ///< SetFile: "textures[0].file"
-    Scene scene{};                    ///< Scene: the scene to show
-    Scene before{};                   ///< Scene: the scene at the time of the request
+    std::map<std::string, ImageLoader::Content> arrived{}; ///< the loaded ones
+    std::vector<std::string> added{};                      ///< Add, Scene: the images in the scene's notation
+    std::vector<Error> refused{};                          ///< files that the load skips
+    bool goesOn = false;                                   ///< whether it skips files that cannot be read
+    bool restores = false;                                 ///< Scene: unsaved work of a window that crashed
+    int pass = 0;                                          ///< Import, Add
+    int unit = 0;                                          ///< Import, Add
+    std::string param{};                                   ///< SetFile: "textures[0].file"
+    Scene scene{};                                         ///< Scene: the scene to show
+    Scene before{};                                        ///< Scene: the scene at the time of the request
     ImageSource images = ImageSource(std::filesystem::path{}); ///< Scene
     std::string fileHash{};                                    ///< Scene: Document::fileHash
+    std::string obj{};                 ///< Scene: the OBJ file of which the scene is made when it has arrived
     bool reloads = false;              ///< Scene: the document's own file, which another program has written
     std::filesystem::path suggested{}; ///< Scene: Document::suggested of a scene without a file
     std::vector<Sentence> notes{};     ///< Scene: what of its file was left out

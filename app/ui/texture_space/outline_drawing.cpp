@@ -227,6 +227,10 @@ bool contains(const Face& face, std::optional<std::size_t> vertex) {
     return vertex && std::ranges::find(face.vertices, *vertex) != face.vertices.end();
 }
 
+bool leavesOutOutlines(const Mesh& mesh) {
+    return edgeCount(mesh) > maxEdges;
+}
+
 void drawGivenOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, const PlaneCoords& coords,
                        const OutlineMarks& marks) {
     const std::vector<glm::vec2>& places = coords.givenPlaces();

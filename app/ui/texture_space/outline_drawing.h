@@ -32,6 +32,9 @@ void drawOutlines(ImDrawList& draw, const Canvas& canvas, const Mesh& mesh, cons
 void drawVertexTexts(ImDrawList& draw, const Canvas& canvas, const PlaneCoords& coords,
                      const OutlineMarks& marks, bool numbers);
 
+/// Whether those of vertices that are not selected are left out, because there are too many.
+[[nodiscard]] bool leavesOutOutlines(const Mesh& mesh);
+
 [[nodiscard]] bool contains(const Face& face, std::optional<std::size_t> vertex);
 
 } // namespace texplorer::ui

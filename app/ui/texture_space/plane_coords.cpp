@@ -34,10 +34,9 @@ void PlaneCoords::follow(const Session& session) {
         *this = {};
         return;
     }
-    const Mesh& mesh = selectedMesh(session);
-    Key key{session.mesh.mesh, effectiveTexCoords(*model, mesh, session.look.selection.unit),
-            model->noTexCoord[static_cast<std::size_t>(session.look.selection.unit)], unit,
-            flipOfBound(session, unit)};
+    static_cast<void>(selectedMesh(session)); // makes the mesh of the key
+    const auto at = static_cast<std::size_t>(session.look.selection.unit);
+    Key key{session.mesh.mesh, model->texCoords[at], model->noTexCoord[at], unit, flipOfBound(session, unit)};
     const Selection& selection = session.look.selection;
     key.matrix = reference::coordinateMatrix(scene, static_cast<std::size_t>(selection.pass),
                                              static_cast<std::size_t>(selection.unit),
@@ -55,18 +54,18 @@ void PlaneCoords::follow(const Session& session) {
 void PlaneCoords::makePlaces(const Session& session, const Scene& scene, const Model& model) {
     const Selection& selection = session.look.selection;
     const Pass& pass = scene.passes[static_cast<std::size_t>(selection.pass)];
-    const TexCoords& given = key_.given;
     const Mesh& mesh = *key_.mesh;
+    given_ = effectiveTexCoords(model, mesh, selection.unit);
     relief_.clear();
     if (key_.unit.emboss.enabled) {
         relief_ = givenTexCoords(scene, pass, selection.unit, model, mesh, session.look.playback.time);
-        std::ranges::transform(relief_, given, relief_.begin(), std::minus<>());
+        std::ranges::transform(relief_, given_, relief_.begin(), std::minus<>());
     }
     // A picture that is upside down in the texture is shown upright, and its samples are moved with it.
     shown_ = key_.flip == LateFlip::None ? key_.matrix : reference::upsideDown() * key_.matrix;
     const reference::EyeSpace eye(key_.modelview);
     sources_ = coordSources(model, mesh, selection.unit);
-    const std::size_t count = given.size();
+    const std::size_t count = given_.size();
     generated_.resize(count);
     givenPlaces_.resize(count);
     resultingPlaces_.resize(count);
@@ -88,7 +87,7 @@ void PlaneCoords::makePlaces(const Session& session, const Scene& scene, const M
 }
 
 glm::vec4 PlaneCoords::current(std::size_t vertex) const {
-    return sources_[vertex] ? key_.given[*sources_[vertex]] : glm::vec4(0, 0, 0, 1);
+    return sources_[vertex] ? given_[*sources_[vertex]] : glm::vec4(0, 0, 0, 1);
 }
 
 Result<void> PlaneCoords::hasOwn(std::size_t vertex) const {
@@ -148,7 +147,7 @@ Result<glm::vec4> PlaneCoords::givenFor(std::size_t vertex, glm::vec2 place) con
     if (!(std::abs(determinant) > 1e-9 * scale * scale))
         return fail(ErrorCode::Unsupported,
                     "the texture matrix has no inverse: it maps many coordinates to one place");
-    glm::vec4 given = key_.given[vertex];
+    glm::vec4 given = given_[vertex];
     given.s = static_cast<float>((rest.x * t.y - rest.y * t.x) / determinant);
     given.t = static_cast<float>((s.x * rest.y - s.y * rest.x) / determinant);
     if (key_.flip == LateFlip::Coordinates)

@@ -46,7 +46,7 @@ public:
     void follow(const Session& session);
 
     /// Of each vertex, also where its glTexCoord is left out.
-    [[nodiscard]] const TexCoords& given() const { return key_.given; }
+    [[nodiscard]] const TexCoords& given() const { return given_; }
     /// Whose coordinates a vertex has: its own if it is sent with glTexCoord; empty: (0, 0, 0, 1).
     [[nodiscard]] std::optional<std::uint32_t> source(std::size_t vertex) const { return sources_[vertex]; }
     /// The coordinates that it has.
@@ -74,8 +74,8 @@ private:
     /// The inputs of the positions.
     struct Key {
         std::shared_ptr<const Mesh> mesh;
-        TexCoords given;
-        std::vector<int> leftOut; ///< Model::noTexCoord
+        SharedList<glm::vec4> own; ///< Model::texCoords
+        std::vector<int> leftOut;  ///< Model::noTexCoord
         Unit unit;
         LateFlip flip = LateFlip::None;
         glm::mat4 matrix{1};
@@ -91,6 +91,7 @@ private:
                                           const Vertex& vertex) const;
 
     Key key_;
+    TexCoords given_;
     glm::mat4 shown_{1};  ///< from generated coordinates to the plane, before the division
     TexCoords generated_; ///< before the matrix
     TexCoords relief_;    ///< added to the given coordinates by the unit's relief; empty: nothing

@@ -1,6 +1,7 @@
 #include "app/ui/texture_space/plane_legend.h"
 
 #include "app/ui/language/translate.h"
+#include "app/ui/texture_space/outline_drawing.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/points.h"
 #include "app/ui/widgets/theme.h"
@@ -56,6 +57,8 @@ void nameWhatIsShown(const Session& session, const TextureSpaceState& state, Pla
                                             : Sentence("unit {0} · {1}", unit, legend.extents)});
     if (!state.look.isPlain())
         lines.push_back({lookText(state.look)});
+    if (leavesOutOutlines(selectedMesh(session)))
+        lines.push_back({N_("too many vertices for outlines")});
     if (state.coords.differ()) {
         lines.push_back({N_("as given"), Line::Stroke::Faint});
         lines.push_back({N_("as looked up"), Line::Stroke::Strong});

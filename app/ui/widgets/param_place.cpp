@@ -59,19 +59,19 @@ Value listOf(const ParamPlace& place) {
 
 /// The number of a component of a vertex; nullptr: there is no such vertex.
 float* numberOf(Value& list, std::size_t vertex, int component) {
-    if (auto* points = std::get_if<std::vector<glm::vec3>>(&list))
-        return vertex < points->size() && component >= 0 && component < 3 ? &(*points)[vertex][component]
+    if (auto* points = std::get_if<SharedList<glm::vec3>>(&list))
+        return vertex < points->size() && component >= 0 && component < 3 ? &points->edit()[vertex][component]
                                                                           : nullptr;
-    if (auto* rows = std::get_if<std::vector<glm::vec4>>(&list))
-        return vertex < rows->size() && component >= 0 && component < 4 ? &(*rows)[vertex][component]
+    if (auto* rows = std::get_if<SharedList<glm::vec4>>(&list))
+        return vertex < rows->size() && component >= 0 && component < 4 ? &rows->edit()[vertex][component]
                                                                         : nullptr;
     return nullptr;
 }
 
 std::string elementText(const Value& list, std::size_t vertex) {
-    if (const auto* points = std::get_if<std::vector<glm::vec3>>(&list))
+    if (const auto* points = std::get_if<SharedList<glm::vec3>>(&list))
         return formatNumbers({&(*points)[vertex].x, 3});
-    return formatNumbers({&std::get<std::vector<glm::vec4>>(list)[vertex].x, 4});
+    return formatNumbers({&std::get<SharedList<glm::vec4>>(list)[vertex].x, 4});
 }
 
 /// The name of the step of undo.
@@ -150,7 +150,7 @@ float numberAt(const ParamPlace& place, int component) {
 std::size_t sharedFrom(const ParamPlace& place) {
     if (!place.vertex || place.row->member != memberId<&MeshData::normals>)
         return 1;
-    const auto normals = std::get<std::vector<glm::vec3>>(place.row->read(place.owner.values));
+    const auto normals = std::get<SharedList<glm::vec3>>(place.row->read(place.owner.values));
     std::size_t end = *place.vertex;
     while (end < normals.size() && normals[end] == normals[*place.vertex])
         ++end;

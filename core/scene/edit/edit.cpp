@@ -1,5 +1,6 @@
 #include "texplorer/scene/edit/edit.h"
 
+#include "texplorer/scene/mesh_edits.h"
 #include "texplorer/scene/params/key_edits.h"
 #include "texplorer/scene/params/keys.h"
 #include "texplorer/scene/params/params.h"
@@ -140,6 +141,34 @@ Result<void> makeOne(Scene& scene, const Edit& edit) {
     return std::visit([&](const auto& each) { return make(scene, each); }, edit);
 }
 
+bool hasSameLists(const MeshData& a, const MeshData& b) {
+    return a.positions == b.positions && a.normals == b.normals && a.colors == b.colors &&
+           a.texCoords == b.texCoords && a.indices == b.indices;
+}
+
+/// Whether edits have changed the vertices of a file, or given them coordinates.
+bool isEdited(const Model& model, const std::vector<Model>& before) {
+    const MeshData& mesh = model.mesh;
+    if (mesh.file.empty() || mesh.positions.empty())
+        return false;
+    const auto hasSameFile = [&](const Model& each) {
+        return each.mesh.file == mesh.file && each.mesh.part == mesh.part;
+    };
+    const auto isSame = [&](const Model& each) { return hasSameLists(each.mesh, mesh); };
+    return std::ranges::any_of(model.texCoords, [](const auto& list) { return !list.empty(); }) ||
+           std::ranges::any_of(model.noTexCoord, [](const auto& list) { return !list.empty(); }) ||
+           (std::ranges::any_of(before, hasSameFile) && std::ranges::none_of(before, isSame));
+}
+
+/// Vertices that were edited are the scene's own.
+Result<void> takeEdited(Scene& made, const Scene& before) {
+    for (Model& model : made.models)
+        if (isEdited(model, before.models))
+            if (Result<void> taken = takeVertices(model.mesh); !taken)
+                return taken;
+    return {};
+}
+
 /// Returns whether a key was set.
 Result<bool> makeOneAt(Scene& scene, const Edit& edit, EditTime time) {
     const auto* insert = std::get_if<edit::Insert>(&edit);
@@ -177,6 +206,8 @@ Result<void> makeEdits(Scene& scene, std::span<const Edit> edits, std::string_vi
             error = within(atPointer(fmt::format("{}/{}", pointer, i)), error);
         return made;
     }
+    if (Result<void> taken = takeEdited(tried, scene); !taken)
+        return taken;
     scene = std::move(tried);
     return {};
 }
@@ -190,6 +221,8 @@ Result<bool> makeEditsAt(Scene& scene, std::span<const Edit> edits, EditTime tim
             return set;
         keyed |= *set;
     }
+    if (Result<void> taken = takeEdited(made, scene); !taken)
+        return fail(taken.error());
     scene = std::move(made);
     return keyed;
 }

@@ -82,7 +82,7 @@ using Edit =
 /// element of the list by its index names the same element (references.h). The error's `where` begins with
 /// `pointer`, if one is given, and the number of the edit, "/edits/2". Errors: of setParam and applyPreset;
 /// NotFound: no such preset; OutOfRange: no such list or element; TooLarge: the list is full, or has no
-/// element more than it needs.
+/// element more than it needs. Edited vertices of a file become the scene's own (takeVertices).
 [[nodiscard]] Result<void> makeEdits(Scene& scene, std::span<const Edit> edits,
                                      std::string_view pointer = {});
 

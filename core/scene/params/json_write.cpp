@@ -169,13 +169,14 @@ private:
             return checkVertexList(*static_cast<const Model*>(owner), row).has_value();
         if (row.member == memberId<&Pass::models>)
             return checkPassModels(scene_, *static_cast<const Pass*>(owner)).has_value();
-        return checkMeshList(*static_cast<const MeshData*>(owner), row).has_value();
+        const auto& mesh = *static_cast<const MeshData*>(owner);
+        return mesh.file.empty() && checkMeshList(mesh, row).has_value();
     }
 
     void param(const ParamRow& row, void* owner) {
         const Value value = row.read(owner);
         if (isList(row.kind) && (listSize(value) == 0 || !listFits(row, owner)))
-            return; // what doesn't fit has no effect, and a reader would refuse it
+            return; // what doesn't fit has no effect, and a reader would refuse it; a file has its own
         member(row.key);
         switch (row.kind) {
         case Kind::Bool:
@@ -212,7 +213,7 @@ private:
         }
         case Kind::IndexList: {
             std::vector<std::string> elements;
-            for (const int index : std::get<std::vector<int>>(value))
+            for (const int index : std::get<SharedList<int>>(value))
                 elements.push_back(std::to_string(index));
             filledLines(elements);
             break;

@@ -57,11 +57,11 @@ consteval Kind kindOf() {
         return Kind::Matrix;
     else if constexpr (std::is_same_v<T, std::string>)
         return Kind::Text;
-    else if constexpr (std::is_same_v<T, std::vector<glm::vec3>>)
+    else if constexpr (std::is_same_v<T, SharedList<glm::vec3>>)
         return Kind::PointList;
-    else if constexpr (std::is_same_v<T, std::vector<glm::vec4>>)
+    else if constexpr (std::is_same_v<T, SharedList<glm::vec4>>)
         return Kind::TexCoordList;
-    else if constexpr (std::is_same_v<T, std::vector<int>>)
+    else if constexpr (std::is_same_v<T, SharedList<int>> || std::is_same_v<T, std::vector<int>>)
         return Kind::IndexList;
     else {
         static_assert(Enumerated<T>, "a member needs a Kind or an EnumTable");
@@ -74,6 +74,8 @@ Value read(const void* owner) {
     using T = Type<Member>;
     if constexpr (Enumerated<T>)
         return EnumValue{static_cast<std::uint32_t>(get<Member>(owner))};
+    else if constexpr (std::is_same_v<T, std::vector<int>>)
+        return SharedList<int>(get<Member>(owner));
     else
         return Value(std::in_place_type<T>, get<Member>(owner));
 }
@@ -83,6 +85,8 @@ void write(void* owner, const Value& value) {
     using T = Type<Member>;
     if constexpr (Enumerated<T>)
         get<Member>(owner) = static_cast<T>(std::get<EnumValue>(value).number);
+    else if constexpr (std::is_same_v<T, std::vector<int>>)
+        get<Member>(owner) = std::get<SharedList<int>>(value).read();
     else
         get<Member>(owner) = std::get<T>(value);
 }
@@ -146,9 +150,10 @@ template<auto Member, std::size_t Index>
 constexpr ParamRow vertexList(std::string_view key, std::string_view group, std::string_view label,
                               std::string_view glCall, std::string_view help, Range range = {}) {
     using List = typename Type<Member>::value_type;
-    constexpr auto readList = [](const void* owner) -> Value { return get<Member>(owner)[Index]; };
+    using Shared = SharedList<typename List::value_type>;
+    constexpr auto readList = [](const void* owner) -> Value { return Shared(get<Member>(owner)[Index]); };
     constexpr auto writeList = [](void* owner, const Value& value) {
-        get<Member>(owner)[Index] = std::get<List>(value);
+        get<Member>(owner)[Index] = std::get<Shared>(value);
     };
     return {memberId<Member>, key,   group, label,    help,      glCall,
             kindOf<List>(),   range, {},    readList, writeList, maxTexCoords};

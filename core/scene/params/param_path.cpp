@@ -93,7 +93,7 @@ std::size_t sizeOf(const Value& list) {
 
 /// The list with one of its elements alone.
 Value elementAlone(Value list, std::size_t index) {
-    visitList(list, [&](auto& each) { each = {each[index]}; });
+    visitList(list, [&]<class List>(List& each) { each = List(1, each[index]); });
     return list;
 }
 
@@ -237,7 +237,7 @@ private:
 /// The list of coordinates at a place, taken from the mesh where the scene has none that fits.
 TexCoords filledTexCoords(const Place& place) {
     const Model& model = *static_cast<const Model*>(place.owner);
-    TexCoords list = std::get<TexCoords>(place.row->read(place.owner));
+    TexCoords list = std::get<SharedList<glm::vec4>>(place.row->read(place.owner));
     if (!list.empty() && checkVertexList(model, *place.row))
         return list;
     const Mesh mesh = meshOf(model);
@@ -289,12 +289,23 @@ Result<Value> valueOf(const Place& place, std::string_view text) {
     if (!element)
         return fail(element.error());
     Value list = place.row->read(place.owner);
-    visitList(list, [&]<class List>(List& each) { each[*place.vertex] = std::get<List>(*element).front(); });
+    visitList(list,
+              [&]<class List>(List& each) { each.edit()[*place.vertex] = std::get<List>(*element).front(); });
     return list;
 }
 
 Error timelineMoved() {
     return {ErrorCode::OutOfRange, N_("a key can't move the timeline itself"), {}};
+}
+
+/// The name of a file of vertices, or something of the vertices.
+bool isOfMeshFile(const Place& place) {
+    if (place.row->member == memberId<&MeshData::file> || place.row->member == memberId<&MeshData::part>)
+        return true;
+    const MeshData* mesh = place.table == &meshTable()    ? static_cast<const MeshData*>(place.owner)
+                           : place.table == &modelTable() ? &static_cast<const Model*>(place.owner)->mesh
+                                                          : nullptr;
+    return mesh && isList(place.row->kind) && !mesh->file.empty();
 }
 
 void visitStruct(const StructTable& table, void* owner, const std::string& prefix,
@@ -431,6 +442,8 @@ Result<void> checkMovable(const Scene& scene, std::string_view path, std::string
     };
     if (place->table == &keyFrameTable())
         return refuse(timelineMoved());
+    if (isOfMeshFile(*place))
+        return refuse({ErrorCode::OutOfRange, N_("key frames can't change what a mesh has from a file"), {}});
     if (place->row->kind == Kind::IndexList) { // numbers of others, which must exist
         Scene edited = scene;
         return setParam(edited, path, text);

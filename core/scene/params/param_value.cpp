@@ -45,12 +45,12 @@ std::size_t alternativeOf(Kind kind) {
     case Kind::Text:
         return Value(std::string()).index();
     case Kind::PointList:
-        return Value(std::vector<glm::vec3>()).index();
+        return Value(SharedList<glm::vec3>()).index();
     case Kind::ColorList:
     case Kind::TexCoordList:
-        return Value(std::vector<glm::vec4>()).index();
+        return Value(SharedList<glm::vec4>()).index();
     case Kind::IndexList:
-        return Value(std::vector<int>()).index();
+        return Value(SharedList<int>()).index();
     }
     return std::variant_npos;
 }
@@ -271,10 +271,10 @@ std::optional<ElementNumbers> elementNumbers(Kind kind) {
 }
 
 std::vector<glm::vec4> elementsOf(const Value& value) {
-    if (const auto* coords = std::get_if<std::vector<glm::vec4>>(&value))
+    if (const auto* coords = std::get_if<SharedList<glm::vec4>>(&value))
         return *coords;
     std::vector<glm::vec4> elements;
-    if (const auto* points = std::get_if<std::vector<glm::vec3>>(&value)) {
+    if (const auto* points = std::get_if<SharedList<glm::vec3>>(&value)) {
         elements.reserve(points->size());
         for (const glm::vec3& point : *points)
             elements.emplace_back(point, 1);
@@ -289,11 +289,11 @@ Value listOf(Kind kind, const std::vector<glm::vec4>& elements) {
 }
 
 std::size_t listSize(const Value& value) {
-    if (const auto* points = std::get_if<std::vector<glm::vec3>>(&value))
+    if (const auto* points = std::get_if<SharedList<glm::vec3>>(&value))
         return points->size();
-    if (const auto* vectors = std::get_if<std::vector<glm::vec4>>(&value))
+    if (const auto* vectors = std::get_if<SharedList<glm::vec4>>(&value))
         return vectors->size();
-    const auto* indices = std::get_if<std::vector<int>>(&value);
+    const auto* indices = std::get_if<SharedList<int>>(&value);
     return indices ? indices->size() : 0;
 }
 
@@ -381,7 +381,7 @@ Result<void> checkValue(const ParamRow& row, const Value& value) {
     case Kind::TexCoordList:
         return checkElements(row, elementsOf(value));
     case Kind::IndexList:
-        return checkIndices(row, std::get<std::vector<int>>(value));
+        return checkIndices(row, std::get<SharedList<int>>(value));
     }
     return {};
 }
@@ -417,7 +417,7 @@ std::string formatValue(const ParamRow& row, const Value& value) {
         return text;
     }
     case Kind::IndexList:
-        return fmt::format("{}", fmt::join(std::get<std::vector<int>>(value), ","));
+        return fmt::format("{}", fmt::join(std::get<SharedList<int>>(value), ","));
     }
     return {};
 }

@@ -19,7 +19,7 @@ struct EnumValue {
 };
 
 using Value = std::variant<bool, int, float, glm::vec3, glm::vec4, glm::mat4, EnumValue, std::string,
-                           std::vector<glm::vec3>, std::vector<glm::vec4>, std::vector<int>>;
+                           SharedList<glm::vec3>, SharedList<glm::vec4>, SharedList<int>>;
 
 /// The elements of the lists are 3, 3 to 4, or 2 to 4 numbers for each vertex; or whole numbers.
 enum class Kind {

@@ -19,6 +19,13 @@ constexpr Range vertexNumbers{0, static_cast<float>(build::maxTexCoords - 1), 1,
 constexpr std::array meshRows{
     param<&MeshData::primitive>("primitive", N_("Mesh"), N_("Primitive"), "glBegin({})",
                                 N_("What is drawn from the vertices: triangles, lines or points.")),
+    param<&MeshData::file>("file", N_("Mesh"), N_("File"), "",
+                           N_("An OBJ file that has the vertices, relative to the scene file. If empty, the "
+                              "scene has them.")),
+    param<&MeshData::part>("part", N_("Mesh"), N_("Part of the file"), "",
+                           N_("The part of the file: its objects and groups with one material, counted from "
+                              "0."),
+                           {0, static_cast<float>(maxModels - 1), 0.05F, {}}),
     list<&MeshData::positions>("positions", N_("Mesh"), N_("Positions"), "glVertex3fv({})",
                                N_("x, y and z of every vertex."), maxMeshVertices),
     list<&MeshData::normals>("normals", N_("Mesh"), N_("Normals"), "glNormal3fv({})",
@@ -37,7 +44,7 @@ constexpr std::array meshRows{
            "one after the other."),
         maxMeshIndices, {0, static_cast<float>(maxMeshVertices - 1), 1, {}}),
 };
-static_assert(meshRows.size() == 6 && meshRows.size() == build::memberCount<MeshData>());
+static_assert(meshRows.size() == 8 && meshRows.size() == build::memberCount<MeshData>());
 
 constexpr std::array modelRows{
     param<&Model::name>("name", N_("Shape"), N_("Name"), "",

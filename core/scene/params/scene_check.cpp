@@ -58,6 +58,8 @@ Result<void> checkModel(const Model& model, const std::string& pointer) {
 } // namespace
 
 Result<void> checkMeshList(const MeshData& mesh, const ParamRow& row) {
+    if (!mesh.file.empty())
+        return {}; // its lists are the file's
     const std::size_t vertices = mesh.positions.size();
     if (row.member == memberId<&MeshData::indices>) {
         const auto beyond = std::ranges::find_if(
@@ -87,7 +89,7 @@ Result<void> checkPassModels(const Scene& scene, const Pass& pass) {
 Result<void> checkVertexList(const Model& model, const ParamRow& row) {
     const Value list = row.read(&model);
     const std::size_t count = vertexCountOf(model);
-    if (const auto* numbers = std::get_if<std::vector<int>>(&list))
+    if (const auto* numbers = std::get_if<SharedList<int>>(&list))
         return checkNumbers(
             *numbers, count,
             [&](int number) {

@@ -12,7 +12,7 @@ namespace texplorer {
 
 // The single checks: `where` is empty, or "/3" for an element of a list.
 
-/// A list of a mesh is empty or has an entry for each position; its indices exist.
+/// A list of a mesh of the scene's own is empty or has an entry for each position; its indices exist.
 [[nodiscard]] Result<void> checkMeshList(const MeshData& mesh, const ParamRow& row);
 
 /// The models of a pass exist, and each occurs once.

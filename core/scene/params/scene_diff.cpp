@@ -48,8 +48,8 @@ void* ownerOf(const Scene& scene) {
 }
 
 Value elementAt(const ParamRow& row, const Value& list, std::size_t index) {
-    if (const auto* numbers = std::get_if<std::vector<int>>(&list))
-        return std::vector{numbers->at(index)};
+    if (const auto* numbers = std::get_if<SharedList<int>>(&list))
+        return SharedList<int>{(*numbers)[index]};
     return listOf(row.kind, {elementsOf(list).at(index)});
 }
 
@@ -57,8 +57,8 @@ std::size_t firstDifference(const Value& a, const Value& b) {
     const auto indexIn = [](const auto& one, const auto& other) {
         return static_cast<std::size_t>(std::ranges::mismatch(one, other).in1 - one.begin());
     };
-    if (const auto* numbers = std::get_if<std::vector<int>>(&a))
-        return indexIn(*numbers, std::get<std::vector<int>>(b));
+    if (const auto* numbers = std::get_if<SharedList<int>>(&a))
+        return indexIn(*numbers, std::get<SharedList<int>>(b));
     const std::vector<glm::vec4> elements = elementsOf(a);
     return indexIn(elements, elementsOf(b));
 }

@@ -30,9 +30,9 @@ Vector blend(Vector from, const Vector& to, double share) {
 }
 
 template<class Element>
-std::vector<Element> blend(std::vector<Element> from, const std::vector<Element>& to, double share) {
+SharedList<Element> blend(SharedList<Element> from, const SharedList<Element>& to, double share) {
     if (from.size() == to.size())
-        std::ranges::transform(from, to, from.begin(),
+        std::ranges::transform(from, to, from.edit().begin(),
                                [share](const Element& a, const Element& b) { return blend(a, b, share); });
     return from;
 }
@@ -86,10 +86,10 @@ Value mixed(const ParamRow& row, const Value& from, const Value& to, double shar
     case Kind::Matrix:
         return mixAs<glm::mat4>(from, to, share);
     case Kind::PointList:
-        return mixAs<std::vector<glm::vec3>>(from, to, share);
+        return mixAs<SharedList<glm::vec3>>(from, to, share);
     case Kind::ColorList:
     case Kind::TexCoordList:
-        return mixAs<std::vector<glm::vec4>>(from, to, share);
+        return mixAs<SharedList<glm::vec4>>(from, to, share);
     default:
         return from;
     }

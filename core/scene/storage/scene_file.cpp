@@ -11,6 +11,7 @@
 #include <fstream>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace texplorer {
 namespace {
@@ -40,15 +41,19 @@ Result<std::string> sceneTextIn(ByteView file) {
         Sentence("expected a scene, found a PNG without a scene: it has no text \"{0}\"", sceneKeyword));
 }
 
-Result<SceneContent> sceneOfObj(ByteView file, const std::filesystem::path& folder) {
-    Result<ObjScene> read = objSceneIn(file, folder);
-    if (!read)
-        return fail(read.error());
-    std::string text = writeScene(read->scene);
+Result<SceneContent> sceneOfObj(MeshFile file, const std::string& name) {
+    if (name.empty() && !isSmall(file.obj))
+        return fail(
+            ErrorCode::TooLarge,
+            Sentence("a scene has at most {0} vertices and {1} indices of its own: expected a file that "
+                     "it can name",
+                     maxMeshVertices, maxMeshIndices));
+    std::string text = writeScene(sceneOf(file.obj, name));
     if (text.size() > maxSceneBytes)
         return fail(ErrorCode::TooLarge, Sentence("as a scene it takes {0} bytes; at most {1} are read",
                                                   text.size(), maxSceneBytes));
-    return SceneContent{std::move(text), std::move(read->notes), std::move(read->libraries)};
+    std::vector<Sentence> notes = std::exchange(file.obj.notes, {});
+    return SceneContent{std::move(text), std::move(notes), std::make_shared<const MeshFile>(std::move(file))};
 }
 
 Result<SceneContent> readSceneFile(const std::filesystem::path& file) {
@@ -56,11 +61,13 @@ Result<SceneContent> readSceneFile(const std::filesystem::path& file) {
     const Result<Bytes> start = readFileStart(file, pngSignature.size());
     if (!start)
         return fail(start.error());
-    const Result<Bytes> bytes = readFile(file, isObj ? maxSceneBytes : maxSceneFileBytes(*start));
+    const Result<Bytes> bytes = readFile(file, isObj ? maxObjBytes : maxSceneFileBytes(*start));
     if (!bytes)
         return fail(bytes.error());
     Result<SceneContent> read =
-        isObj ? sceneOfObj(*bytes, file.parent_path())
+        isObj ? meshFileIn(*bytes, file).and_then([&](MeshFile&& meshes) {
+            return sceneOfObj(std::move(meshes), file.filename().string());
+        })
               : sceneTextIn(*bytes).map([](std::string&& text) { return SceneContent{std::move(text)}; });
     return read ? std::move(read) : fail(within(inFile(file.string()), read.error()));
 }

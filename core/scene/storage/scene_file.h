@@ -5,8 +5,10 @@
 
 #include "texplorer/base/bytes.h"
 #include "texplorer/base/result.h"
+#include "texplorer/mesh/mesh_file.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,13 +27,13 @@ inline constexpr const char* sceneKeyword = N_("Texplorer scene");
 /// The JSON of a scene, and what else an OBJ file has.
 struct SceneContent {
     std::string text;
-    std::vector<Sentence> notes{};                  ///< what was left out
-    std::vector<std::filesystem::path> libraries{}; ///< of materials: those that were read
+    std::vector<Sentence> notes{};            ///< what was left out
+    std::shared_ptr<const MeshFile> meshes{}; ///< of an OBJ file
 };
 
-/// Returns the scene of an OBJ file that lies in `folder`. Errors: those of decodeObj(); TooLarge for a scene
-/// that could not be read again.
-[[nodiscard]] Result<SceneContent> sceneOfObj(ByteView file, const std::filesystem::path& folder);
+/// Returns the scene of an OBJ file of this name. Errors: TooLarge for a scene that could not be read again,
+/// or whose vertices have to stay in a file that has no name.
+[[nodiscard]] Result<SceneContent> sceneOfObj(MeshFile file, const std::string& name);
 
 /// Returns the content of a scene file on disk, which is named in `where`; of an OBJ file the scene of its
 /// models.

@@ -69,7 +69,7 @@ TEST_F(Judging, GrantsNoTexelThatIsFurtherAway) {
 TEST_F(Judging, GrantsMoreToCoordinatesThatAreFarAway) {
     const auto farAway = [](float offset) {
         Scene scene = boardWithEdgesAt(offset);
-        for (glm::vec4& each : scene.models[0].texCoords[0])
+        for (glm::vec4& each : scene.models[0].texCoords[0].edit())
             each.s += 870;
         return scene;
     };

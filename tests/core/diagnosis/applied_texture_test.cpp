@@ -132,7 +132,7 @@ TEST(AppliedTexture, GivesLlvmpipeNoAnisotropyWhereItWouldVisitTexelsWithoutEnd)
     EXPECT_NE(held.heldBack[0].find("visits every texel"), std::string_view::npos);
     const Texture mipmapped = anisotropic(MinFilter::LinearMipmapLinear, MagFilter::Linear);
     EXPECT_EQ(appliedTexture(mipmapped, shapeWith(7), 1000, llvmpipe, &use).texture.maxAnisotropy, 4);
-    scene.models[0].texCoords[0][0].q = -1;
+    scene.models[0].texCoords[0].edit()[0].q = -1;
     EXPECT_EQ(appliedTexture(mipmapped, shapeWith(7), 1000, llvmpipe, &use).texture.maxAnisotropy, 1);
     EXPECT_EQ(appliedTexture(texture, shapeWith(7), 1000, named("AMD Radeon"), &use).texture, texture);
 }

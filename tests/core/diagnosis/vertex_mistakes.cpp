@@ -26,7 +26,7 @@ constexpr std::array vertexRows{
     Mistake{"NormalWithoutLength", "zero-normal", Warning, "models[0].mesh.normals",
             "the normal of vertex 1 has length 0",
             [](Subject& s) {
-                triangle(s).normals[1] = glm::vec3(0);
+                triangle(s).normals.edit()[1] = glm::vec3(0);
                 s.pass().lighting = true;
             }},
     Mistake{"NormalsWithoutLength", "zero-normal", Warning, "models[0].mesh.normals",
@@ -38,7 +38,7 @@ constexpr std::array vertexRows{
             }},
     Mistake{"NormalThatNothingReads", "zero-normal", Warning, "models[0].mesh.normals", "vertex 0",
             [](Subject& s) {
-                triangle(s).normals[0] = glm::vec3(0);
+                triangle(s).normals.edit()[0] = glm::vec3(0);
                 s.pass().lighting = true;
             },
             [](Subject& s) { s.pass().lighting = false; }},
@@ -76,11 +76,11 @@ constexpr std::array vertexRows{
     Mistake{"ReflectionAwayFromTheEye", "sphere-map-rim", Warning, "passes[0].units[0].texGenS",
             "at vertex 0 of models[0]",
             [](Subject& s) {
-                triangle(s).normals[0] = {1, 0, 0}; // seen along the surface
+                triangle(s).normals.edit()[0] = {1, 0, 0}; // seen along the surface
                 s.unit().texGenT = {.enabled = true, .mode = TexGenMode::SphereMap};
             },
             [](Subject& s) {
-                s.scene.models[0].mesh.normals[0] = {0, 0, 1};
+                s.scene.models[0].mesh.normals.edit()[0] = {0, 0, 1};
             }},
     Mistake{"CoordinatesFarAway", "far-coordinates", Note, "passes[0].units[0].matrix",
             "reach 871, 55744 texels",
@@ -92,26 +92,34 @@ constexpr std::array vertexRows{
             [](Subject& s) {
                 MeshData& mesh = triangle(s);
                 // Rounding to a power of ten is not possible for this float.
-                mesh.positions[0].z = mesh.positions[1].z = -1e-45F;
-                mesh.positions[2].z = -5;
+                mesh.positions.edit()[0].z = mesh.positions.edit()[1].z = -1e-45F;
+                mesh.positions.edit()[2].z = -5;
                 s.scene.view.projection = Projection::Orthographic;
                 s.pass().fog = {.enabled = true, .mode = FogMode::Linear, .start = 5, .end = 5};
             }},
     Mistake{"LineOfAMillionPixels", "long-line", Note, "models[0].mesh", "more than a million pixels",
             [](Subject& s) {
                 triangle(s).primitive = Primitive::Lines;
-                s.scene.models[0].mesh.positions[1].x = 1e6F;
+                s.scene.models[0].mesh.positions.edit()[1].x = 1e6F;
             },
             [](Subject& s) { s.driver.renderer = "softpipe"; }},
     Mistake{"MeshOfNothing", "empty-mesh", Warning, "models[0].shape", "has no vertices",
             [](Subject& s) { s.scene.models[0].shape = Shape::Mesh; }, [](Subject& s) { triangle(s); }},
+    Mistake{"MeshOfAFileThatIsNotThere", "empty-mesh", Warning, "models[0].mesh.file",
+            "gone.obj can't be read, or has no part 2",
+            [](Subject& s) {
+                s.scene.models[0].shape = Shape::Mesh;
+                s.scene.models[0].mesh.file = "gone.obj";
+                s.scene.models[0].mesh.part = 2;
+            },
+            [](Subject& s) { triangle(s); }},
     Mistake{"MeshWithoutCoordinates", "no-mesh-coords", Warning, "models[0].mesh.texCoords", "at (0, 0)",
             [](Subject& s) { triangle(s); },
             [](Subject& s) {
                 s.scene.models[0].mesh.texCoords = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}};
             }},
     Mistake{"MeshOfTwoVertices", "empty-mesh", Warning, "models[0].shape", "too few vertices",
-            [](Subject& s) { triangle(s).positions.pop_back(); }, [](Subject& s) { triangle(s); }},
+            [](Subject& s) { triangle(s).positions.edit().pop_back(); }, [](Subject& s) { triangle(s); }},
     Mistake{"WidthOfNoLines", "other-primitive", Unused, "models[0].lineWidth", "it has no lines",
             [](Subject& s) { triangle(s).primitive = Primitive::Points; },
             [](Subject& s) { s.scene.models[0].mesh.primitive = Primitive::Lines; }},

@@ -39,7 +39,7 @@ Scene squareWith(float lower, float upper) {
     texture.magFilter = MagFilter::Linear;
     texture.maxAnisotropy = 16;
     scene.models[0].texCoords[0] = test::quadCoords({0, 0, 0, 1}, {1, 1, 0, 1});
-    for (glm::vec4& each : scene.models[0].texCoords[0])
+    for (glm::vec4& each : scene.models[0].texCoords[0].edit())
         each.q = each.t > 0 ? upper : lower;
     return scene;
 }

@@ -562,7 +562,7 @@ TEST(EmittedModels, AreTrianglesWhereAStripCoversItself) {
     scene.models[0].mesh.indices = {0, 1, 3, 2}; // as a bow tie
     EXPECT_THAT(needed(scene), Contains("glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, model0Indices);"));
     scene.models[0] = strip;
-    scene.models[0].mesh.positions[5].z = 2; // no more flat
+    scene.models[0].mesh.positions.edit()[5].z = 2; // no more flat
     EXPECT_THAT(needed(scene), Contains("glDrawElements(GL_TRIANGLES, 12, GL_UNSIGNED_INT, model0Indices);"));
 }
 

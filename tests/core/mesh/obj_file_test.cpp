@@ -2,6 +2,7 @@
 #include "texplorer/files/file_io.h"
 #include "texplorer/mesh/obj_file.h"
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -82,18 +83,15 @@ TEST(ObjFiles, HaveAPartForEachObjectAndMaterial) {
     EXPECT_EQ(problemOf(text, 1), "it uses 2 materials, each of which needs a model; a scene has at most 1");
 }
 
-TEST(ObjFiles, OfManyVerticesHaveSeveralParts) {
+TEST(ObjFiles, WithAPartThatIsTooLargeSaySo) {
     std::string text;
-    const std::size_t triangles = maxMeshVertices / 3 + 10;
-    for (std::size_t i = 0; i < triangles; ++i) {
-        const std::string x = std::to_string(i);
-        text += "v " + x + " 0 0\nv " + x + " 1 0\nv " + x + " 1 1\nf -3 -2 -1\n";
-    }
-    const Result<ObjFile> read = decoded(text);
-    ASSERT_TRUE(read) << describe(read.error());
-    ASSERT_EQ(read->parts.size(), 2U);
-    EXPECT_LE(read->parts[0].mesh.positions.size(), maxMeshVertices);
-    EXPECT_EQ(read->parts[0].mesh.indices.size() + read->parts[1].mesh.indices.size(), 3 * triangles);
+    for (std::size_t i = 0; i < maxFileVertices; ++i)
+        text += "v 0 0 1\n";
+    for (std::size_t i = 1; i + 2 <= maxFileVertices; i += 3)
+        text += fmt::format("f {} {} {}\n", i, i + 1, i + 2);
+    EXPECT_EQ(
+        problemOf(text + "v 1 0 0\nf 1 1000000 1000001\n"),
+        "a part has 1000001 vertices and 1000002 corners of triangles; at most 1000000 and 6000000 are read");
 }
 
 TEST(ObjFiles, ThatAreWrongSayWhere) {

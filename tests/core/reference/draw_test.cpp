@@ -194,7 +194,7 @@ TEST(DrawReference, DrawsATriangleAgainFromAnotherCornerOn) {
         "mesh": {"positions": [[-1.26, 1.02, 0.83], [-1.4, -1.26, 1.48], [1.49, -0.88, -1.31]]}}],
         "material": {"color": [0.2, 0.2, 0.2, 1]}, "passes": [{"depthTest": true, "depthFunc": "GL_LEQUAL",
         "blend": true, "blendSrc": "GL_ONE", "blendDst": "GL_ONE"}]})");
-    std::vector<int>& indices = scene.models[0].mesh.indices;
+    std::vector<int>& indices = scene.models[0].mesh.indices.edit();
     for (const float position : {0.0F, 2.5F}) { // as a whole; cut by the near plane
         scene.models[0].position.z = position;
         indices = {0, 1, 2, 0, 1, 2};
@@ -355,7 +355,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"QOfEitherSign",
                         [](Scene& it) {
                             setCoords(it, {1, 1, 0, 1});
-                            it.models[0].texCoords[0][0].q = -1;
+                            it.models[0].texCoords[0].edit()[0].q = -1;
                         }},
                     Bad{"ZeroScale",
                         [](Scene& it) {

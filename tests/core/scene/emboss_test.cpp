@@ -276,7 +276,7 @@ TEST_F(GivenTexCoords, MoveTowardsTheLight) {
 // (s + q ds) / q = s / q + ds.
 TEST_F(GivenTexCoords, MoveAsFarWhateverTheirQIs) {
     scene.models[0].texCoords[1] = given(0);
-    scene.models[0].texCoords[1][0] *= 4.0F; // (0, 0, 0, 4)
+    scene.models[0].texCoords[1].edit()[0] *= 4.0F; // (0, 0, 0, 4)
     const float front = 0.01F / std::sqrt(38.0F);
     EXPECT_TRUE(isNear(given(1)[0], {4 * front, 4 * front, 0, 4}, 1e-7F));
 }
@@ -285,7 +285,7 @@ TEST_F(GivenTexCoords, MoveAsFarWhateverTheirQIs) {
 TEST_F(GivenTexCoords, MoveAlongTheImageOfTheirUnit) {
     scene.light.position = {3, 0, 4, 0};
     scene.models[0].texCoords[1] = given(0);
-    for (glm::vec4& each : scene.models[0].texCoords[1])
+    for (glm::vec4& each : scene.models[0].texCoords[1].edit())
         each.s = 1 - each.s;
     scene.passes[0].units[0].emboss = scene.passes[0].units[1].emboss;
     EXPECT_TRUE(isNear(given(0)[0], {0.006F, 0, 0, 1}, 1e-7F));

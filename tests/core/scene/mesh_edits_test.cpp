@@ -35,10 +35,10 @@ std::vector<int> originals(const Model& model) {
     std::vector<int> numbers;
     for (std::size_t i = 0; i < model.mesh.positions.size(); ++i) {
         const float number = model.mesh.positions[i].x;
-        EXPECT_EQ(model.mesh.normals.at(i).y, number);
-        EXPECT_EQ(model.mesh.colors.at(i).r * 16, number);
-        EXPECT_EQ(model.mesh.texCoords.at(i).s, number);
-        EXPECT_EQ(model.texCoords[2].at(i).s, number);
+        EXPECT_EQ(model.mesh.normals.read().at(i).y, number);
+        EXPECT_EQ(model.mesh.colors.read().at(i).r * 16, number);
+        EXPECT_EQ(model.mesh.texCoords.read().at(i).s, number);
+        EXPECT_EQ(model.texCoords[2].read().at(i).s, number);
         numbers.push_back(static_cast<int>(number));
     }
     EXPECT_THAT(model.texCoords[0], IsEmpty());

@@ -72,7 +72,7 @@ TEST(SentVertices, OneThatIsSentTwiceCanHaveTwoCoordinates) {
     EXPECT_THAT(made.triangles, ElementsAre(0, 1, 2, 3, 4, 5));
     std::vector<std::pair<float, float>> placesAndCoords;
     for (std::size_t i = 0; i < made.vertices.size(); ++i)
-        placesAndCoords.emplace_back(made.vertices[i].position.x, drawn->mesh.texCoords.at(i).s);
+        placesAndCoords.emplace_back(made.vertices[i].position.x, drawn->mesh.texCoords.read().at(i).s);
     using P = std::pair<float, float>;
     EXPECT_THAT(placesAndCoords, ElementsAre(P(0, 0), P(1, 1), P(2, 1), P(3, 3), P(2, 3), P(1, 1)));
 
@@ -103,7 +103,7 @@ TEST(SentVertices, OfAShapeAreSquaresOrTriangles) {
     const SentModel drawn(cube);
     EXPECT_EQ(drawn->mesh.primitive, Primitive::Quads);
     EXPECT_EQ(meshOf(*drawn).triangles, meshOf(cube).triangles);
-    EXPECT_EQ(drawn->mesh.texCoords.at(4), meshOf(cube).vertices[3].texCoord);
+    EXPECT_EQ(drawn->mesh.texCoords.read().at(4), meshOf(cube).vertices[3].texCoord);
 
     Model sphere{.shape = Shape::Sphere, .slices = 4, .stacks = 3};
     sphere.noTexCoord[0] = {0};

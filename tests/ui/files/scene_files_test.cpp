@@ -10,6 +10,7 @@
 #include "texplorer/files/file_io.h"
 #include "texplorer/scene/params/json.h"
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 namespace texplorer::ui::scene_files_test {
@@ -25,7 +26,7 @@ protected:
     }
     void open(Session& into, const std::filesystem::path& file) {
         ASSERT_TRUE(openScene(into, file));
-        receiveFiles(into);
+        waitForFiles(into);
     }
 
     const std::string red = test::onePixelBmp({0, 0, '\xFF'});
@@ -61,6 +62,64 @@ TEST_F(SceneFiles, OfMeshesSaysWhatIsMissing) {
     EXPECT_TRUE(session.look.notice.text.empty());
     ASSERT_EQ(session.asking.refused.size(), 1U);
     EXPECT_THAT(describe(session.asking.refused[0]).english(), HasSubstr("gone.png"));
+}
+
+TEST_F(SceneFiles, OfManyVerticesNameTheirMeshes) {
+    std::string text = "o many\n";
+    for (int i = 0; i < 70000; ++i)
+        text += fmt::format("v {} {} 0\n", i % 300, i / 300);
+    for (int i = 1; i <= 69998; i += 3)
+        text += fmt::format("f {} {} {}\n", i, i + 1, i + 2);
+    write(folder / "many.obj", text + "o few\nf 1 2 3\n");
+    open(session, folder / "many.obj");
+    ASSERT_EQ(session.document.scene.models.size(), 2U);
+    const MeshData& many = session.document.scene.models[0].mesh;
+    EXPECT_EQ(many.file, "many.obj");
+    EXPECT_EQ(many.positions.size(), 69999U);
+    EXPECT_FALSE(isDirty(session.document));
+    const Scene before = session.document.scene;
+    std::filesystem::create_directory(folder / "elsewhere");
+    ASSERT_TRUE(saveScene(session, folder / "elsewhere" / "a.json").has_value());
+    EXPECT_LT(std::filesystem::file_size(folder / "elsewhere" / "a.json"), 20000U);
+    Session other(services.lend());
+    open(other, folder / "elsewhere" / "a.json");
+    EXPECT_EQ(other.document.scene.models[0].mesh.positions, many.positions);
+    EXPECT_EQ(other.document.scene.models[1].mesh.positions.size(), 3U);
+
+    const auto move = [&](int model) {
+        take(session,
+             Step{.name = "Move",
+                  .edits = {edit::Set{fmt::format("models[{}].mesh.positions[0]", model), "0,0,0"}}});
+    };
+    move(0);
+    EXPECT_THAT(session.look.notice.text.english(), HasSubstr("at most 65536 and 262144 can be edited"));
+    EXPECT_EQ(session.document.scene.models[0].mesh.positions, before.models[0].mesh.positions);
+    move(1);
+    EXPECT_EQ(session.document.scene.models[1].mesh.file, "");
+    EXPECT_EQ(session.document.scene.models[1].mesh.positions[0], glm::vec3(0));
+    take(session, Undo{});
+    EXPECT_EQ(session.document.scene.models[1].mesh.positions, before.models[1].mesh.positions);
+    EXPECT_NE(session.document.scene.models[1].mesh.file, "");
+}
+
+TEST_F(SceneFiles, MeshesFollowTheirFile) {
+    constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+    write(folder / "a.json", R"({"models": [{"shape": "mesh", "mesh": {"file": "late.obj"}}]})");
+    ASSERT_TRUE(openScene(session, folder / "a.json"));
+    receiveFiles(session);
+    EXPECT_THAT(session.look.notice.text.english(), HasSubstr("late.obj"));
+    write(folder / "late.obj", triangle);
+    open(session, folder / "a.json");
+    EXPECT_EQ(session.document.scene.models.at(0).mesh.positions.size(), 3U);
+    write(folder / "b.obj", std::string(triangle) + "f 1 3 2\n");
+    take(session, Step{.name = "File", .edits = {edit::Set{"models[0].mesh.file", "b.obj"}}});
+    EXPECT_TRUE(session.document.scene.models[0].mesh.positions.empty());
+    receiveFiles(session);
+    EXPECT_EQ(session.document.scene.models[0].mesh.indices.size(), 6U);
+    take(session, Undo{});
+    EXPECT_EQ(session.document.scene.models[0].mesh.indices.size(), 3U);
+    take(session, Redo{});
+    EXPECT_EQ(session.document.scene.models[0].mesh.indices.size(), 6U) << "it was filled in the history";
 }
 
 TEST_F(SceneFiles, ImagePathsFollowTheSceneFile) {

@@ -90,7 +90,7 @@ TEST_F(Findings, AClickOnTheSentenceLeadsToTheControl) {
 }
 
 TEST_F(Findings, ABadVertexLeadsToItsModel) {
-    TexCoords& list = scene().models[1].texCoords[0];
+    TexCoords& list = scene().models[1].texCoords[0].edit();
     list.assign(vertexCount({Shape::Sphere, 32, 16}), glm::vec4(0, 0, 0, 1));
     list[7].w = 0;
     frames(2);

@@ -130,7 +130,10 @@ TEST(History, ACameraIsReplacedInEveryStepThatHasIt) {
     History history(numbered(2));
     history.record(other, "Add pass");
     history.record(moved, "Orbit");
-    history.replaceView(numbered(2).view, numbered(7).view);
+    history.change([](Scene& scene) {
+        if (scene.view == numbered(2).view)
+            scene.view = numbered(7).view;
+    });
     EXPECT_EQ(number(history.current()), 3);
     EXPECT_EQ(undo(history), 7);
     EXPECT_EQ(history.current().passes.size(), 2U);
@@ -184,7 +187,10 @@ TEST(History, ACameraIsReplacedInWhatComesBackWithATakenBackEdit) {
     history.record(numbered(2), "a");
     undo(history);
     history.record(numbered(3), "drag");
-    history.replaceView(numbered(2).view, numbered(7).view);
+    history.change([](Scene& scene) {
+        if (scene.view == numbered(2).view)
+            scene.view = numbered(7).view;
+    });
     EXPECT_EQ(takeBack(history), 1);
     EXPECT_EQ(redo(history), 7);
 }

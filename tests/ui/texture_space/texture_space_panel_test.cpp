@@ -158,7 +158,7 @@ TEST_F(TextureSpace, OfACubeMapNoVertexIsUnderTheMouse) {
 TEST_F(TextureSpace, TheLargestCoordinatesAreDrawnSomewhere) {
     constexpr float largest = std::numeric_limits<float>::max();
     scene().models[0].texCoords[0] = effectiveTexCoords(Model{}, selectedMesh(*session), 0);
-    scene().models[0].texCoords[0][0] = {largest, -largest, 0, 1};
+    scene().models[0].texCoords[0].edit()[0] = {largest, -largest, 0, 1};
     session->look.selection.vertex = 0;
     frames(2);
     expectSoundFrame();

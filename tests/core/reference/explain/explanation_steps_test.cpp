@@ -48,7 +48,7 @@ void showMesh(Scene& scene, Primitive primitive) {
     model.mesh.positions = {{-1, 0, 0}, {1, 0, 0}};
     model.mesh.colors = {{1, 0, 0, 1}, {0, 0, 1, 1}};
     if (primitive == Primitive::Points)
-        model.mesh.positions[1].x = 0;
+        model.mesh.positions.edit()[1].x = 0;
     scene.passes[0].lighting = false;
 }
 
@@ -191,12 +191,13 @@ INSTANTIATE_TEST_SUITE_P(
                  it.models[0].texCoords[0] = TexCoords(4, {1, 1, 0, 1});
              },
              "- 0.5 = 63.5: texel 63 and the border, shares 0.5 and 0.5"},
-        Case{"TooLong",
-             [](Scene& it) {
-                 for (const float s : {0.0F, 1e30F})
-                     it.models[0].texCoords[0].insert(it.models[0].texCoords[0].end(), 2, {s, 0, 0, 1});
-             },
-             "log2(rho) | 103.6148"},
+        Case{
+            "TooLong",
+            [](Scene& it) {
+                for (const float s : {0.0F, 1e30F})
+                    it.models[0].texCoords[0].edit().insert(it.models[0].texCoords[0].end(), 2, {s, 0, 0, 1});
+            },
+            "log2(rho) | 103.6148"},
         Case{"Contradiction",
              [](Scene& it) {
                  it.textures[0].minLod = 4;

@@ -205,6 +205,8 @@ TEST(WriteScene, WritesVerticesAMatrixAndTheModelsOfAPassLikeThis) {
     for (const char* expected : {R"(
       "mesh": {
         "primitive": "GL_LINE_LOOP",
+        "file": "",
+        "part": 0,
         "positions": [[0, 0.5, -0.0], [1, 1e-45, 3e+38]],
         "colors": [[0, 0.5, 1], [0, 0, 0, 0.25]],
         "texCoords": [[0, 1], [0, 1, 0, 2]],
@@ -329,6 +331,9 @@ public:
         for (Model& model : scene.models)
             if (below(3) == 0)
                 fit(model.mesh);
+        for (Model& model : scene.models)
+            if (!model.mesh.positions.empty())
+                model.mesh.file.clear(); // it would have them
         for (KeyFrame& key : scene.timeline.keys) {
             key.path = below(2) == 0 ? "view.background" : "view.distance";
             key.value = key.path == "view.distance"
@@ -342,7 +347,7 @@ public:
                                            static_cast<std::ptrdiff_t>(below(pass.models.size() + 1)),
                                        static_cast<int>(i));
         for (Model& model : scene.models)
-            for (TexCoords& coords : model.texCoords)
+            for (auto& coords : model.texCoords)
                 if (below(2) == 0)
                     for (std::size_t i = vertexCountOf(model); i > 0; --i)
                         coords.emplace_back(anyFloat(), anyFloat(), below(2) == 0 ? 0 : anyFloat(),

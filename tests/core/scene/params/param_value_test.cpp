@@ -130,7 +130,8 @@ TEST(ParamValue, TextIsTakenAsItIs) {
 
 TEST(ParamValue, MissingTexCoordComponentsAreZeroAndOne) {
     const auto list = parseValue(*findParam(modelTable(), "texCoords0"), "0.5,1;2,3,4;5,6,7,8");
-    EXPECT_EQ(std::get<TexCoords>(list.value()), (TexCoords{{0.5F, 1, 0, 1}, {2, 3, 4, 1}, {5, 6, 7, 8}}));
+    EXPECT_EQ(std::get<SharedList<glm::vec4>>(list.value()),
+              (TexCoords{{0.5F, 1, 0, 1}, {2, 3, 4, 1}, {5, 6, 7, 8}}));
 }
 
 TEST(ParamValue, PointsAndColorsOfVerticesReadBack) {
@@ -138,25 +139,25 @@ TEST(ParamValue, PointsAndColorsOfVerticesReadBack) {
     const std::vector<glm::vec3> points{{0, 0.5F, -1}, {1e-45F, 3e38F, 1.0F / 3}};
     EXPECT_EQ(formatValue(positions, points), "0,0.5,-1;1e-45,3e+38,0.33333334");
     EXPECT_EQ(
-        std::get<std::vector<glm::vec3>>(parseValue(positions, " 0, 0.5,-1 ;1e-45,3e38,0.33333334").value()),
+        std::get<SharedList<glm::vec3>>(parseValue(positions, " 0, 0.5,-1 ;1e-45,3e38,0.33333334").value()),
         points);
-    EXPECT_TRUE(std::get<std::vector<glm::vec3>>(parseValue(positions, "").value()).empty());
+    EXPECT_TRUE(std::get<SharedList<glm::vec3>>(parseValue(positions, "").value()).empty());
 
     // An alpha of 1 is left out.
     const ParamRow& colors = *findParam(meshTable(), "colors");
     const std::vector<glm::vec4> given{{0, 0.5F, 1, 1}, {1, 0, 0, 0}};
     EXPECT_EQ(formatValue(colors, given), "0,0.5,1;1,0,0,0");
-    EXPECT_EQ(std::get<std::vector<glm::vec4>>(parseValue(colors, "0,0.5,1,1;1,0,0,0").value()), given);
-    EXPECT_EQ(std::get<std::vector<glm::vec4>>(parseValue(colors, "0,0.5,1;1,0,0,0").value()), given);
+    EXPECT_EQ(std::get<SharedList<glm::vec4>>(parseValue(colors, "0,0.5,1,1;1,0,0,0").value()), given);
+    EXPECT_EQ(std::get<SharedList<glm::vec4>>(parseValue(colors, "0,0.5,1;1,0,0,0").value()), given);
 }
 
 TEST(ParamValue, IndicesReadBack) {
     const ParamRow& indices = *findParam(meshTable(), "indices");
     EXPECT_EQ(formatValue(indices, std::vector<int>{0, 65535, 7, 7}), "0,65535,7,7");
-    EXPECT_EQ(std::get<std::vector<int>>(parseValue(indices, " 0, 65535,7 ,7").value()),
+    EXPECT_EQ(std::get<SharedList<int>>(parseValue(indices, " 0, 65535,7 ,7").value()),
               (std::vector<int>{0, 65535, 7, 7}));
     EXPECT_EQ(formatValue(indices, std::vector<int>{}), "");
-    EXPECT_TRUE(std::get<std::vector<int>>(parseValue(indices, " ").value()).empty());
+    EXPECT_TRUE(std::get<SharedList<int>>(parseValue(indices, " ").value()).empty());
 }
 
 // As OpenGL takes them: the offset is in the last four.

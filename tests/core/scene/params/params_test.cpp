@@ -207,7 +207,7 @@ TEST(Params, EveryRowReadsBackWhatItWritesAndChangesNothingElse) {
     forEachParam(scene, [&](const std::string& path, const ParamRow& row, const Value&) {
         rows.emplace_back(path, &row);
     });
-    ASSERT_EQ(rows.size(), 9U + (8 + 4) + 8 + (29 + 7 + 6 + 4 * 7) + (38 + 14 + 3 + 14 + 9) + (14 + 6) +
+    ASSERT_EQ(rows.size(), 9U + (8 + 4) + 8 + (29 + 7 + 8 + 4 * 7) + (38 + 14 + 3 + 14 + 9) + (14 + 6) +
                                4 * (7 + 16 + 4 * 4 + 3 + 7));
 
     for (const auto& [path, row] : rows) {

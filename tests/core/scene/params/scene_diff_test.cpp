@@ -48,7 +48,7 @@ TEST(ChangesBetween, OfALongListSayTheFirstThatDiffers) {
     Scene one = defaultScene();
     one.models[0].texCoords[0].assign(24, glm::vec4(0, 0, 0, 1));
     Scene other = one;
-    other.models[0].texCoords[0][7] = {0.25F, 2, 0, 1};
+    other.models[0].texCoords[0].edit()[7] = {0.25F, 2, 0, 1};
     EXPECT_THAT(changesBetween(one, other),
                 ElementsAre(SceneChange{"models[0].texCoords0", "Unit 0", "[7] 0,0 of 24 elements",
                                         "[7] 0.25,2 of 24 elements"}));

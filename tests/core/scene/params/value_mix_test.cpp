@@ -51,7 +51,7 @@ TEST(Mixed, StaysBetweenItsEndsHoweverFarTheyAre) {
     for (const double share : {1e-9, 0.3, 0.5, 0.999999}) {
         const Value value =
             mixed(coords, TexCoords{glm::vec4(-largest)}, TexCoords{glm::vec4(largest)}, share);
-        const float s = std::get<TexCoords>(value).front().s;
+        const float s = std::get<SharedList<glm::vec4>>(value).front().s;
         EXPECT_TRUE(s >= -largest && s <= largest) << s;
     }
 }

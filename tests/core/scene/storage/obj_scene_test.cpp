@@ -92,7 +92,7 @@ TEST_F(ObjScene, NamesItsLibraries) {
     write("box.obj", box);
     EXPECT_EQ(readSceneFile(dir / "box.obj")->notes.size(), 1U);
     write("box.mtl", "newmtl wood\nnewmtl stone\nnewmtl plain\n");
-    EXPECT_THAT(readSceneFile(dir / "box.obj")->libraries, ElementsAre(dir / "box.mtl"));
+    EXPECT_THAT(readSceneFile(dir / "box.obj")->meshes->libraries, ElementsAre(dir / "box.mtl"));
 }
 
 TEST_F(ObjScene, ThatIsWrongNamesTheFile) {
