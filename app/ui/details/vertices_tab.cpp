@@ -70,6 +70,12 @@ float callWidth(const List& list) {
     return room / static_cast<float>(list.components) < 5 * em ? ImGui::GetFrameHeight() : width;
 }
 
+/// The width of the column with the numbers of vertices.
+float numberWidth(const List& list) {
+    return std::max(ImGui::GetFontSize() * 2.2F,
+                    ImGui::CalcTextSize(std::to_string(list.coords.size()).c_str()).x);
+}
+
 bool isNarrow(const List& list) {
     return callWidth(list) <= ImGui::GetFrameHeight();
 }
@@ -152,7 +158,7 @@ void faceTable(const Session& session, const List& list, const std::vector<std::
     const bool hasCalls = !list.sources.empty();
     if (!ImGui::BeginTable("face", 1 + list.components + (hasCalls ? 1 : 0), flags))
         return;
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 2.2F);
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, numberWidth(list));
     for (int i = 0; i < list.components; ++i)
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
     if (hasCalls)
@@ -179,7 +185,7 @@ void faceTable(const Session& session, const List& list, const std::vector<std::
 
 /// The names of the columns in their colours.
 void header(const List& list) {
-    const float indent = ImGui::GetFontSize() * 2.2F + ImGui::GetStyle().CellPadding.x * 2;
+    const float indent = numberWidth(list) + ImGui::GetStyle().CellPadding.x * 2;
     const float calls = list.sources.empty() ? 0 : callWidth(list) + ImGui::GetStyle().CellPadding.x * 2;
     const float room = ImGui::GetContentRegionAvail().x - indent - calls;
     const float width = room / static_cast<float>(list.components);

@@ -164,6 +164,12 @@ void restUnseen(Session& session) {
         workers(session).programs->rest();
 }
 
+/// Whether a diagnosis takes longer than a frame: while the camera is moved, it waits.
+bool hasLargeMesh(const Scene& scene) {
+    return std::ranges::any_of(
+        scene.models, [](const Model& model) { return model.mesh.positions.size() > maxMeshVertices; });
+}
+
 /// Updates what is known of the scene: findings, the explained pixel, level pictures.
 void followDocument(Session& session, PanelStates& states, const Pictures& pictures,
                     const view::Capabilities& capabilities) {
@@ -171,7 +177,8 @@ void followDocument(Session& session, PanelStates& states, const Pictures& pictu
         forgetDocument(states);
     session.look.explaining.isOpen = isShown(session.settings.workspace, Tab::Explain);
     session.document.images.setLimits(view::driverFacts(capabilities).limits());
-    diagnoseSession(session, factsFor(session, capabilities));
+    if (!ImGui::IsAnyMouseDown() || !hasLargeMesh(session.document.scene))
+        diagnoseSession(session, factsFor(session, capabilities));
     followForced(session);
     if (isShown(session.settings.workspace, Tab::File))
         followFile(session);
