@@ -101,6 +101,13 @@ tl::unexpected<Error> malformed(int line, Sentence what) {
     return fail(ErrorCode::Malformed, Sentence("line {0}: {1}", line, std::move(what)));
 }
 
+Result<void> checkMost(int line, const Sentence& what, std::size_t most, std::size_t found) {
+    if (found <= most)
+        return {};
+    return fail(ErrorCode::TooLarge,
+                Sentence("line {0}: {1}: at most {2} are read, found {3}", line, what, most, found));
+}
+
 Result<void> takeNumbers(int line, std::span<const std::string_view> words, std::size_t least,
                          std::size_t most, ObjLines& lines) {
     if (words.size() < least + 1)
@@ -129,7 +136,8 @@ Result<void> takePolygon(int line, std::span<const std::string_view> words, ObjL
         lines.text.append(word).append(" ");
     lines.text += '\n';
     lines.polygonLines.push_back(line);
-    return {};
+    lines.triangles += words.size() - 3; // f and the fan's first two corners
+    return checkMost(line, N_("triangles"), maxObjTriangles, lines.triangles);
 }
 
 Result<void> takeLine(int number, const std::string& line, ObjLines& lines) {
@@ -146,9 +154,12 @@ Result<void> takeLine(int number, const std::string& line, ObjLines& lines) {
     if (keyword == "mtllib" && !name.empty() &&
         std::ranges::find(lines.libraries, name) == lines.libraries.end())
         lines.libraries.push_back(name);
-    if (keyword == "o" || keyword == "g" || keyword == "usemtl")
-        lines.text.append(line).append("\n");
-    return {};
+    if (keyword != "o" && keyword != "g" && keyword != "usemtl")
+        return {};
+    lines.text.append(line).append("\n");
+    if (Result<void> fits = checkMost(number, N_("bytes of a name"), maxObjNameBytes, name.size()); !fits)
+        return fits;
+    return checkMost(number, N_("objects, groups and uses of materials"), maxObjNames, ++lines.names);
 }
 
 } // namespace
@@ -175,6 +186,10 @@ Result<ObjLines> checkedObjLines(ByteView file) {
         const auto isControl = [](char each) {
             return static_cast<unsigned char>(each) < ' ' && each != '\t';
         };
+        if (Result<void> fits =
+                checkMost(reader.number(), N_("bytes of a line"), maxObjLineBytes, line.size());
+            !fits)
+            return fail(fits.error());
         if (const auto found = std::ranges::find_if(line, isControl); found != line.end())
             return malformed(reader.number(),
                              Sentence("expected text, found the byte {0}", static_cast<int>(*found)));

@@ -16,13 +16,22 @@ struct ObjLines {
     std::string text;
     std::vector<int> polygonLines;      ///< the number in the file, from 1, of each polygon's line
     std::vector<std::string> libraries; ///< the names after mtllib, each once
+    std::size_t triangles = 0;          ///< that the polygons fall into
+    std::size_t names = 0;              ///< lines that name an object, a group or a material
 };
+
+// What a file may have, so that its lists need at most 1 GiB: a fan of triangles needs 18 times the bytes of
+// its line.
+inline constexpr std::size_t maxObjLineBytes = std::size_t{1} << 20;
+inline constexpr std::size_t maxObjNameBytes = 1024;
+inline constexpr std::size_t maxObjNames = 65536;
+inline constexpr std::size_t maxObjTriangles = 6'000'000;
 
 /// Whether the first line that says something is one of an OBJ file.
 [[nodiscard]] bool beginsAsObj(ByteView file);
 
 /// Errors: Malformed for a byte that no text has, a number that is none or not finite, and a polygon of fewer
-/// than three vertices; `where` is empty, the sentence names the line.
+/// than three vertices; TooLarge beyond the limits above; `where` is empty, the sentence names the line.
 [[nodiscard]] Result<ObjLines> checkedObjLines(ByteView file);
 
 } // namespace texplorer

@@ -232,7 +232,9 @@ std::vector<Movable> movables(const Scene& scene) {
             row.member == memberId<&KeyFrame::time> || row.member == memberId<&KeyFrame::path> ||
             row.member == memberId<&KeyFrame::value> || row.member == memberId<&KeyFrame::easing>;
         const bool isList = row.maxCount > 0;
-        if (!isKey && !isList)
+        const bool isFile =
+            row.member == memberId<&MeshData::file> || row.member == memberId<&MeshData::part>;
+        if (!isKey && !isList && !isFile)
             all.push_back({path, &row, value});
     });
     return all;

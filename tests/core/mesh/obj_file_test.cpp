@@ -94,6 +94,24 @@ TEST(ObjFiles, WithAPartThatIsTooLargeSaySo) {
         "a part has 1000001 vertices and 1000002 corners of triangles; at most 1000000 and 6000000 are read");
 }
 
+TEST(ObjFiles, BeyondWhatMemoryAllowsSaySo) {
+    const auto repeated = [](std::string_view text, std::size_t count) {
+        std::string all;
+        for (std::size_t i = 0; i < count; ++i)
+            all += text;
+        return all;
+    };
+    const std::string fan = "f" + repeated(" 1", 1002) + "\n"; // of 1000 triangles
+    EXPECT_EQ(problemOf("v 0 0 0\n" + repeated(fan, 6001)),
+              "line 6002: triangles: at most 6000000 are read, found 6001000");
+    EXPECT_EQ(problemOf("f" + repeated(" 1", std::size_t{1} << 20)),
+              "line 1: bytes of a line: at most 1048576 are read, found 2097153");
+    EXPECT_EQ(problemOf("usemtl " + repeated("m", 1025)),
+              "line 1: bytes of a name: at most 1024 are read, found 1025");
+    EXPECT_EQ(problemOf(repeated("g a\n", 65537)),
+              "line 65537: objects, groups and uses of materials: at most 65536 are read, found 65537");
+}
+
 TEST(ObjFiles, ThatAreWrongSayWhere) {
     const auto of = [](const char* line) { return problemOf(std::string(square) + line); };
     EXPECT_EQ(of("f 1 2 3\nf 1 2 9\n"), "line 10: expected v from 1 to 4, found 9");
