@@ -9,6 +9,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -18,7 +20,8 @@ namespace {
 constexpr std::size_t maxRecordText = std::size_t{1} << 20; ///< of a sentence, an explanation
 constexpr std::size_t maxRecordCases = 1'000'000;
 constexpr double maxSeconds = 1e9;
-constexpr std::size_t maxPixelCount = std::size_t{1} << 48; ///< of pixels
+constexpr auto maxPixelCount = static_cast<std::size_t>( // of pixels
+    std::min(std::uint64_t{1} << 48, std::uint64_t{std::numeric_limits<std::size_t>::max()}));
 
 void writeText(OrderedJson& json, const char* key, const std::string& text) {
     if (!text.empty())

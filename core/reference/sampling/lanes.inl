@@ -92,7 +92,8 @@ void store(Lanes lanes, T* to) {
 #elif defined(__SSE2__)
     return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
 #else
-    return (mask[0] & 1U) | (mask[1] & 2U) | (mask[2] & 4U) | (mask[3] & 8U);
+    const auto bit = [mask](int lane) { return static_cast<std::uint32_t>(mask[lane]) & 1U << lane; };
+    return bit(0) | bit(1) | bit(2) | bit(3);
 #endif
 }
 [[nodiscard]] inline bool any(Ints mask) {
