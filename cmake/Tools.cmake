@@ -9,6 +9,6 @@ if(CCACHE_PROGRAM)
 endif()
 
 find_program(MOLD_PROGRAM mold)
-if(MOLD_PROGRAM)
+if(MOLD_PROGRAM AND NOT CMAKE_CROSSCOMPILING) # it knows no WebAssembly
     add_link_options(-fuse-ld=mold)
 endif()

@@ -1,17 +1,22 @@
 # shellcheck shell=bash
-# What ./dev package and ./dev elsewhere share: a minimal Debian in a folder. Needs root. To be sourced.
+# What ./dev package, elsewhere and web share: the mirror, and a minimal Debian in a folder, which needs root. To be sourced.
+
+# debian_mirror: where this machine gets its release's packages. Other releases, of another name, are there too.
+debian_mirror() {
+    local mirror
+    mirror=$(apt-get indextargets --format '$(CODENAME) $(COMPONENT) $(CREATED_BY) $(REPO_URI)' |
+        sed -n "s/^$(. /etc/os-release && echo "$VERSION_CODENAME") main Packages //p" | head -1)
+    if [ -z "$mirror" ]; then
+        echo "apt has no mirror of this release's main packages" >&2
+        return 1
+    fi
+    echo "$mirror"
+}
 
 # make_bare_debian RELEASE FOLDER LOG: debootstrap from this machine's mirror; 1 and the end of LOG on stderr if it fails.
 make_bare_debian() {
     local release=$1 root=$2 log=$3 mirror
-    # This machine's release may have another name than the created one; both are on the same mirror.
-    mirror=$(apt-get indextargets --format '$(CODENAME) $(COMPONENT) $(CREATED_BY) $(REPO_URI)' |
-        sed -n "s/^$(. /etc/os-release && echo "$VERSION_CODENAME") main Packages //p" | head -1)
-    if [ -z "$mirror" ]; then
-        echo "apt has no mirror of this release's main packages" >"$log"
-        cat "$log" >&2
-        return 1
-    fi
+    mirror=$(debian_mirror) || return
     if ! debootstrap --variant=minbase "$release" "$root" "$mirror" >"$log" 2>&1; then
         tail -5 "$log" >&2
         return 1

@@ -1,0 +1,139 @@
+#!/usr/bin/env bash
+# Makes what core is built with for WebAssembly, in build/wasm32/root: a C library, libc++ with exceptions, the libraries
+# that core links, and the headers of those that are headers alone. Everything has a fixed version and a checksum; only
+# this script fetches anything, and only when it has changed.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+. packaging/bare_debian.sh
+
+# The C library, of an npm package that holds a compiler: its name, version and SHA-256. Debian's has no <pthread.h>.
+c_library=(@yowasp/clang 22.0.0-git20542-10 6230ea1afa9691fa065935cf68c01642ff9b31c183fe8ac64cdfda025df06009)
+# Source packages of Debian 12, with the SHA-256 of their .dsc, which has those of the other files.
+sources=(
+    "libdeflate=1.14-1 1f82791c5ac5623ed110e09cc991471deebfe4c419414392d1242e122c6f4c19"
+    "libjpeg-turbo=1:2.1.5-2 d718ead0dfbcbc8523665c02a7f7152e31039ded641d022868722623bb3b486d"
+    "libpng1.6=1.6.39-2+deb12u5 7b86211030a34deb6b0a2cd7e1d9db0fe92443fd30cab537fb89b1e7f7c9f188"
+    "libsquish=1.15-3 4bb0642f92b18ec35ec596f638fe5887820041b16e4c27feefe5c6a374701645"
+    "zlib=1:1.2.13.dfsg-1 3fa1e6b2fc525062aa88207dda52fed8e045373c809d362fe8a2bfbf7cf515a8"
+)
+# The C++ library, of the compiler's own source package: its version and the SHA-256 of its .orig.tar.xz. Debian's package of
+# it has neither exceptions nor files. Later releases have the package, too, which may be gone from one of them.
+llvm=(llvm-toolchain-22 22.1.8 b49b9277aef97616320b2da259e1f8174c65b0ce2fbe2e8629644a97693402fe)
+header_packages=(libglm-dev libexpected-dev libfmt-dev nlohmann-json3-dev libstb-dev libxxhash-dev
+    libtinyobjloader-dev)
+
+say() { printf 'web: %s\n' "$*" >&2; }
+
+folder=$PWD/build/wasm32
+root=$folder/root
+include=$root/include/wasm32-wasip1
+lib=$root/lib/wasm32-wasip1
+toolchain=$PWD/cmake/WebAssembly.cmake
+log=$folder/log
+version=$(cat "${BASH_SOURCE[0]}" "$toolchain" | sha256sum)
+if [ "$(cat "$folder/made" 2>/dev/null)" = "$version" ]; then exit 0; fi
+mkdir -p "$folder"
+exec 9>"$folder/lock"
+flock -n 9 || { say "another call makes build/wasm32"; exit 1; }
+say "making the C++ library and the others for WebAssembly, which takes some minutes; log: build/wasm32/log"
+trap '[ $? = 0 ] || { tail -5 "$log" >&2; say "build/wasm32 was not made; see build/wasm32/log"; }' EXIT
+rm -rf "$root" "$folder/sources" "$folder/made"
+mkdir -p "$root" "$folder/sources" "$folder/apt/lists/partial"
+exec 3>&2 >"$log" 2>&1
+
+check() { # check FILE SHA256
+    [ "$(sha256sum <"$1")" = "$2  -" ] && return
+    say "expected the SHA-256 $2 of ${1#"$PWD/"}, found $(sha256sum <"$1")" 2>&3
+    exit 1
+}
+
+fetch() {
+    local apt=(-o Dir::Etc::SourceList="$folder/apt/sources.list" -o Dir::Etc::SourceParts=/dev/null
+        -o Dir::State::Lists="$folder/apt/lists" -o APT::Sandbox::User=root) source dsc_hash version
+    printf 'deb-src %s main\n' "$(debian_mirror) bookworm" "$(debian_mirror) forky" \
+        "http://security.debian.org/debian-security bookworm-security" >"$folder/apt/sources.list"
+    apt-get "${apt[@]}" update
+    cd "$folder/sources"
+    for source in "${sources[@]}"; do
+        read -r source dsc_hash <<<"$source"
+        apt-get "${apt[@]}" source --download-only --only-source "$source"
+        check "${source%%=*}_${source##*[=:]}.dsc" "$dsc_hash"
+    done
+    for version in $(apt-cache "${apt[@]}" showsrc "${llvm[0]}" | sed -n "s/^Version: \(.*:${llvm[1]}-.*\)/\1/p"); do
+        ! apt-get "${apt[@]}" source --tar-only --only-source "${llvm[0]}=$version" || break
+    done
+    check "${llvm[0]}_${llvm[1]}.orig.tar.xz" "${llvm[2]}"
+    npm pack --silent "${c_library[0]}@${c_library[1]}"
+    check ./*.tgz "${c_library[2]}"
+}
+
+unpack() {
+    local dsc
+    for dsc in *.dsc; do dpkg-source --no-check -x "$dsc" "${dsc%%_*}"; done
+    mkdir llvm # of a gigabyte, these
+    tar -xf "${llvm[0]}"_*.orig.tar.xz -C llvm --strip-components=1 --wildcards --exclude='*/test/*' '*/libcxx/*' \
+        '*/libcxxabi/*' '*/libunwind/*' '*/libc/*' '*/runtimes/*' '*/cmake/*' '*/llvm-lit/*'
+    tar -xOf ./*.tgz package/gen/llvm-resources.tar | tar -x -C "$root" include/wasm32-wasip1 lib/wasm32-wasip1
+    rm "$lib"/libc++*
+}
+
+make_cmake() { # make_cmake NAME SOURCES OPTION…: built with CMake and installed into the root
+    cmake -G Ninja -S "$2" -B "$1-build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_TOOLCHAIN_FILE="$toolchain" \
+        -DCMAKE_INSTALL_PREFIX="$root" -DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "${@:3}"
+    cmake --build "$1-build" --target install
+}
+
+compile() { # compile COMPILER FILE FLAG…: FILE.o, with the toolchain's flags
+    ccache "$1" --target=wasm32-wasip1 --sysroot="$root" -DNDEBUG "${flags[@]}" "${@:3}" -c "$2" -o "$2.o"
+}
+
+make_library() { # make_library NAME COMPILER FLAG… -- FILE…
+    local name=$1 compiler=$2 options=() file
+    shift 2
+    while [ "$1" != -- ]; do options+=("$1") && shift; done
+    shift
+    for file in "$@"; do compile "$compiler" "$file" "${options[@]}"; done
+    llvm-ar-22 rcs "$lib/lib$name.a" "${@/%/.o}"
+}
+
+write_pc() { # write_pc NAME LIBRARY
+    mkdir -p "$root/lib/pkgconfig"
+    printf 'Name: %s\nDescription: %s\nVersion: 1\nLibs: -l%s\n' "$1" "$1" "$2" >"$root/lib/pkgconfig/$1.pc"
+}
+
+make_all() {
+    local flags
+    read -ra flags <<<"$(sed -n 's/^set(flags "\(.*\)").*/\1/p' "$toolchain")"
+    # The runtime of exceptions: libunwind's file, and the tag that all exceptions of C++ share.
+    printf '.globl __cpp_exception\n.tagtype __cpp_exception i32\n__cpp_exception:\n' >tag.s
+    compile clang-22 tag.s -Wno-unused-command-line-argument
+    compile clang-22 llvm/libunwind/src/Unwind-wasm.c -D_LIBUNWIND_HIDE_SYMBOLS -Illvm/libunwind/include
+    # This C library is of musl's kind, but without copy_file_range.
+    sed -i 's/ || _LIBCPP_HAS_MUSL_LIBC || defined(__FreeBSD__)//' llvm/libcxx/src/filesystem/operations.cpp
+    make_cmake libcxx llvm/runtimes -DCMAKE_CXX_COMPILER_WORKS=ON -DUNIX=ON -DLLVM_INCLUDE_TESTS=OFF \
+        '-DLLVM_ENABLE_RUNTIMES=libcxxabi;libcxx' -DLIBCXX_CXX_ABI=libcxxabi -DLIBCXXABI_USE_LLVM_UNWINDER=OFF \
+        -DLIBCXX{,ABI}_ENABLE_SHARED=OFF -DLIBCXX_SHARED_OUTPUT_NAME=no -DLIBCXXABI_SHARED_OUTPUT_NAME=noabi -DLIBCXX{,ABI}_HAS_PTHREAD_API=ON -DLIBCXX{,ABI}_USE_COMPILER_RT=ON \
+        -DLIBCXX{,ABI}_INSTALL_LIBRARY_DIR=lib/wasm32-wasip1 -DLIBCXX_HAS_MUSL_LIBC=ON \
+        -DLIBCXX_INCLUDE_BENCHMARKS=OFF -DLIBCXX_INSTALL_MODULES=OFF
+    llvm-ar-22 rs "$lib/libc++abi.a" tag.s.o llvm/libunwind/src/Unwind-wasm.c.o
+
+    make_library z clang-22 -DHAVE_UNISTD_H -- zlib/*.c
+    make_library deflate clang-22 -Ilibdeflate -- libdeflate/lib/*.c
+    cp libpng1.6/scripts/pnglibconf.h.prebuilt libpng1.6/pnglibconf.h
+    make_library png clang-22 -Izlib -- libpng1.6/png{,[!t]*,trans}.c
+    make_library squish clang++-22 -- libsquish/*.cpp
+    cp zlib/{zlib,zconf}.h libdeflate/libdeflate.h libpng1.6/{png,pngconf,pnglibconf}.h libsquish/squish.h "$include"
+    make_cmake jpeg libjpeg-turbo -DENABLE_SHARED=OFF -DWITH_SIMD=OFF -DCMAKE_INSTALL_LIBDIR="$lib" \
+        -DCMAKE_INSTALL_INCLUDEDIR="$include"
+    write_pc libdeflate deflate
+    write_pc libturbojpeg turbojpeg
+
+    dpkg -L "${header_packages[@]}" | grep -E '^/usr/(include|share/cmake)/' |
+        tar -C / --no-recursion -T - -c | tar -x -C "$root" --strip-components=1
+}
+
+fetch
+unpack
+make_all
+rm -rf "$folder/sources" "$folder/apt"
+printf '%s' "$version" >"$folder/made"
