@@ -15,7 +15,7 @@
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*allocated)(const volatile void*, std::size_t),
                                                          void (*freed)(const volatile void*));
 extern "C" std::size_t __sanitizer_get_allocated_size(const volatile void* place);
-#else
+#elif defined(__GLIBC__)
 // glibc's own, for programs that put something in front of them
 extern "C" {
 void* __libc_malloc(std::size_t bytes);
@@ -43,7 +43,7 @@ void count(std::int64_t bytes) {
     highest = std::max(highest, held);
 }
 
-void allocated(const volatile void* /*place*/, std::size_t bytes) {
+[[maybe_unused]] void allocated(const volatile void* /*place*/, std::size_t bytes) {
     count(static_cast<std::int64_t>(bytes));
 }
 
@@ -53,13 +53,19 @@ void freed(const volatile void* place) {
         count(-static_cast<std::int64_t>(__sanitizer_get_allocated_size(place)));
 }
 
+constexpr bool counts = true; // what malloc gives
 const int installed = __sanitizer_install_malloc_and_free_hooks(allocated, freed);
 #else
+#ifdef __GLIBC__
+constexpr bool counts = true;
 void* counted(void* place) {
     if (watching && place)
         allocated(place, malloc_usable_size(place));
     return place;
 }
+#else
+constexpr bool counts = false; // only what operator new gives
+#endif
 
 void freed(void* place) {
     if (watching && place)
@@ -73,9 +79,17 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
                       : std::malloc(std::max<std::size_t>(bytes, 1));
     if (!place)
         throw std::bad_alloc();
+    if (!counts)
+        count(static_cast<std::int64_t>(malloc_usable_size(place)));
     if (heapFill)
         std::memset(place, std::to_integer<int>(*heapFill), bytes);
     return place;
+}
+
+void release(void* place) {
+    if (!counts)
+        freed(place);
+    std::free(place);
 }
 
 } // namespace
@@ -96,7 +110,7 @@ std::size_t HeapWatch::peak() const {
 
 } // namespace texplorer::test
 
-#ifndef TEXPLORER_UNDER_ASAN
+#if defined(__GLIBC__) && !defined(TEXPLORER_UNDER_ASAN)
 using texplorer::test::counted;
 using texplorer::test::freed;
 
@@ -132,6 +146,7 @@ void free(void* place) noexcept {
 #endif
 
 using texplorer::test::allocate;
+using texplorer::test::release;
 
 void* operator new(std::size_t bytes) {
     return allocate(bytes, 1);
@@ -156,32 +171,32 @@ void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
     return operator new(bytes, std::nothrow);
 }
 void operator delete(void* place) noexcept {
-    std::free(place);
+    release(place);
 }
 void operator delete[](void* place) noexcept {
-    std::free(place);
+    release(place);
 }
 void operator delete(void* place, std::size_t) noexcept {
-    std::free(place);
+    release(place);
 }
 void operator delete[](void* place, std::size_t) noexcept {
-    std::free(place);
+    release(place);
 }
 void operator delete(void* place, std::align_val_t) noexcept {
-    std::free(place);
+    release(place);
 }
 void operator delete[](void* place, std::align_val_t) noexcept {
-    std::free(place);
+    release(place);
 }
 void operator delete(void* place, std::size_t, std::align_val_t) noexcept {
-    std::free(place);
+    release(place);
 }
 void operator delete[](void* place, std::size_t, std::align_val_t) noexcept {
-    std::free(place);
+    release(place);
 }
 void operator delete(void* place, const std::nothrow_t&) noexcept {
-    std::free(place);
+    release(place);
 }
 void operator delete[](void* place, const std::nothrow_t&) noexcept {
-    std::free(place);
+    release(place);
 }

@@ -51,8 +51,8 @@ Result<Bytes> unpacked(ByteView stream, std::size_t maxBytes) {
     if (!decompressor)
         throw std::bad_alloc();
     constexpr std::size_t bestRatio = 1032; // of deflate
-    const auto limit = static_cast<std::size_t>(
-        std::min<std::uint64_t>(maxBytes, std::uint64_t{stream.size()} * bestRatio));
+    const auto limit =
+        static_cast<std::size_t>(std::min<std::uint64_t>(maxBytes, std::uint64_t{stream.size()} * bestRatio));
     for (std::size_t room = std::min<std::size_t>(limit, 4096);; room = std::min(limit, room * 4)) {
         Bytes text;
         text.resize(room);
