@@ -95,7 +95,7 @@ Error JpegReader::failure() const {
     return {ErrorCode::Malformed, error_, {}};
 }
 
-bool JpegReader::begin() noexcept {
+bool JpegReader::begin() {
     if (setjmp(failed_) != 0) // NOLINT
         return false;
     jpeg_create_decompress(&jpeg_);
@@ -129,7 +129,7 @@ Result<JpegReader::Header> JpegReader::readHeader() {
     }
 }
 
-bool JpegReader::fill(std::byte* topRow, std::size_t rowBytes) noexcept {
+bool JpegReader::fill(std::byte* topRow, std::size_t rowBytes) {
     constexpr JDIMENSION atOnce = 16; // as many as one row of blocks gives
     if (setjmp(failed_) != 0)         // NOLINT
         return false;

@@ -48,9 +48,10 @@ public:
     [[nodiscard]] const std::vector<Sentence>& notes() const { return notes_; }
 
 private:
-    // These functions may longjmp, so they must not contain objects with destructors.
-    bool begin() noexcept;
-    bool fill(std::byte* topRow, std::size_t rowBytes) noexcept;
+    // These functions may longjmp, so they must not contain objects with destructors. Not noexcept: a longjmp
+    // is an exception in WebAssembly.
+    bool begin();
+    bool fill(std::byte* topRow, std::size_t rowBytes);
 
     [[noreturn]] static void onError(j_common_ptr jpeg);
     static void onMessage(j_common_ptr jpeg, int level);

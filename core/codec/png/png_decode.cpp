@@ -129,8 +129,9 @@ struct Decoder {
     Decoder& operator=(const Decoder&) = delete;
     ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
 
-    bool start(const DecodeLimits& limits) noexcept;
-    bool readPixels(Image& image, const DecodeLimits& limits) noexcept;
+    // Not noexcept: a longjmp is an exception in WebAssembly.
+    bool start(const DecodeLimits& limits);
+    bool readPixels(Image& image, const DecodeLimits& limits);
 };
 
 Decoder& decoderOf(png_voidp pointer) {
@@ -187,7 +188,7 @@ void onRead(png_structp png, png_bytep to, png_size_t count) {
 constexpr png_byte skipped[] = "iCCP\0tEXt\0zTXt\0iTXt\0eXIf\0sPLT\0hIST";
 constexpr int skippedCount = sizeof skipped / 5;
 
-bool Decoder::start(const DecodeLimits& limits) noexcept {
+bool Decoder::start(const DecodeLimits& limits) {
     if (setjmp(png_jmpbuf(png)) != 0)
         return false;
     png_set_read_fn(png, this, onRead);
@@ -202,7 +203,7 @@ bool Decoder::start(const DecodeLimits& limits) noexcept {
     return true;
 }
 
-bool Decoder::readPixels(Image& image, const DecodeLimits& limits) noexcept {
+bool Decoder::readPixels(Image& image, const DecodeLimits& limits) {
     if (setjmp(png_jmpbuf(png)) != 0)
         return false;
     for (int passes = png_set_interlace_handling(png); passes > 0; --passes) {
