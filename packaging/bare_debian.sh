@@ -1,13 +1,15 @@
 # shellcheck shell=bash
 # What ./dev package, elsewhere and web share: the mirror, and a minimal Debian in a folder, which needs root. To be sourced.
 
-# debian_mirror: where this machine gets its release's packages. Other releases, of another name, are there too.
+# debian_mirror [ARCHIVE]: where this machine gets the packages of its release, or of an archive such as bookworm-security.
+# Other releases, of another name, are there too.
 debian_mirror() {
-    local mirror
+    local mirror archive
+    archive=${1:-$(. /etc/os-release && echo "$VERSION_CODENAME")}
     mirror=$(apt-get indextargets --format '$(CODENAME) $(COMPONENT) $(CREATED_BY) $(REPO_URI)' |
-        sed -n "s/^$(. /etc/os-release && echo "$VERSION_CODENAME") main Packages //p" | head -1)
+        sed -n "s/^$archive main Packages //p" | head -1)
     if [ -z "$mirror" ]; then
-        echo "apt has no mirror of this release's main packages" >&2
+        echo "apt has no mirror of main packages of $archive" >&2
         return 1
     fi
     echo "$mirror"

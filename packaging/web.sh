@@ -51,7 +51,7 @@ fetch() {
     local apt=(-o Dir::Etc::SourceList="$folder/apt/sources.list" -o Dir::Etc::SourceParts=/dev/null
         -o Dir::State::Lists="$folder/apt/lists" -o APT::Sandbox::User=root) source dsc_hash version
     printf 'deb-src %s main\n' "$(debian_mirror) bookworm" "$(debian_mirror) forky" \
-        "http://security.debian.org/debian-security bookworm-security" >"$folder/apt/sources.list"
+        "$(debian_mirror bookworm-security) bookworm-security" >"$folder/apt/sources.list"
     apt-get "${apt[@]}" update
     cd "$folder/sources"
     for source in "${sources[@]}"; do
