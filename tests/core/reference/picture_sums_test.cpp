@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values( //
         Case{"checker.json", 0x6FCFD750}, Case{"contours.json", 0xFF04FCCF}, Case{"cube.json", 0x012F075C},
         Case{"earth.json", 0xBDE21BA9}, Case{"environment.json", 0x300A914D},
-        Case{"feedback.json", 0xCFC15B21}, Case{"fog.json", 0xAACA5E9D},
+        Case{"feedback.json", 0xCFC15B21}, Case{"floats.json", 0xDF7FEE22}, Case{"fog.json", 0xAACA5E9D},
         Case{"internal-formats.json", 0xEE1D2312}, Case{"levels.json", 0x86B191C4},
         Case{"line.json", 0xDF957115}, Case{"marble.json", 0x3057B412}, Case{"mirror.json", 0x3BDD3C08},
         Case{"nehe-bumps-1-unit.json", 0x2A65DABA}, Case{"nehe-bumps-2-units.json", 0x2CEEC917},
