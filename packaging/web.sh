@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes what core is built with for WebAssembly, in build/wasm32/root: a C library, libc++ with exceptions, the libraries
-# that core links, and the headers of those that are headers alone. Everything has a fixed version and a checksum; only
-# this script fetches anything, and only when it has changed.
+# that core links, and the headers of those that are headers alone. What is fetched has a fixed version and a checksum;
+# the compiler and the headers are Debian's packages. Only this script fetches anything, and only when it has changed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . packaging/bare_debian.sh
@@ -36,10 +36,10 @@ mkdir -p "$folder"
 exec 9>"$folder/lock"
 flock -n 9 || { say "another call makes build/wasm32"; exit 1; }
 say "making the C++ library and the others for WebAssembly, which takes some minutes; log: build/wasm32/log"
-trap '[ $? = 0 ] || { tail -5 "$log" >&2; say "build/wasm32 was not made; see build/wasm32/log"; }' EXIT
 rm -rf "$root" "$folder/sources" "$folder/made"
 mkdir -p "$root" "$folder/sources" "$folder/apt/lists/partial"
 exec 3>&2 >"$log" 2>&1
+trap '[ $? = 0 ] || { tail -5 "$log" >&3; say "build/wasm32 was not made; see build/wasm32/log" 2>&3; }' EXIT
 
 check() { # check FILE SHA256
     [ "$(sha256sum <"$1")" = "$2  -" ] && return

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] int lastLevel() const { return lastLevel_; }
     [[nodiscard]] LateFlip lateFlip() const { return lateFlip_; }
 
-    /// Whether texels can be negative: those of a signed format.
+    /// Whether texels may lie outside 0 … 1: those of floats and of signed blocks.
     [[nodiscard]] bool isUnclamped() const { return isUnclamped_; }
 
     /// The base format and the extents of the levels, without texels: enough to check completeness.

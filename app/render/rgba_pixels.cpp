@@ -2,6 +2,7 @@
 
 #include "texplorer/reference/sampling/sampled_texture.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace texplorer::render {
@@ -14,7 +15,7 @@ Image asRgba8(const Image& image, BaseFormat format) {
                 reference::sourceColor(format, reference::pixelColor(image.format, image.at(x, y).data()));
             for (int i = 0; i < 4; ++i)
                 pixels.at(x, y)[static_cast<std::size_t>(i)] =
-                    static_cast<std::byte>(std::lround(color[i] * 255));
+                    static_cast<std::byte>(std::lround(std::clamp(color[i], 0.0F, 1.0F) * 255));
         }
     }
     return pixels;

@@ -71,18 +71,21 @@ std::string freeName(const ImageSource& images, const std::string& wanted, const
 
 void addImage(Target& target, const NamedFile& file) {
     const std::set<std::string> used = filesOf(target.scene);
-    if (used.contains(plainName(file.name)) && isObjName(file.name)) {
+    const std::size_t bytes = target.images.bytesOf(used);
+    const std::size_t left = sceneImageBytes - std::min(sceneImageBytes, bytes);
+    if (const std::string name = plainName(file.name); used.contains(name) && isObjName(name)) {
         Result<MeshFile> meshes = meshFileIn(file.bytes, {});
+        if (meshes && byteCount(*meshes) > left)
+            meshes = fail(beyondBudget(byteCount(*meshes), left));
         if (!meshes) {
             target.refused.push_back({meshes.error().code, meshes.error().message, inFile(file.name)});
             return;
         }
-        target.images.put(file.name, std::make_shared<const MeshFile>(*std::move(meshes)));
-        target.images.putFile(file.name, file.bytes);
+        target.images.put(name, std::make_shared<const MeshFile>(*std::move(meshes)));
+        target.images.putFile(name, file.bytes);
         return;
     }
-    const std::size_t bytes = target.images.bytesOf(used);
-    Result<TextureImage> image = decodeWithin(file.bytes, sceneImageBytes - std::min(sceneImageBytes, bytes));
+    Result<TextureImage> image = decodeWithin(file.bytes, left);
     if (!image) {
         target.refused.push_back({image.error().code, image.error().message, inFile(file.name)});
         return;

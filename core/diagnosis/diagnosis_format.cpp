@@ -144,7 +144,8 @@ void passedOn(const Case& about, Report& report) {
             if (!about.works(unit))
                 continue;
             const Texture& texture = about.scene.textures[static_cast<std::size_t>(unit.texture)];
-            if (follows && unit.envMode == EnvMode::Replace && exceedsOne(texture))
+            if (follows && unit.envMode == EnvMode::Replace && exceedsOne(texture) &&
+                about.driver.floatTextures)
                 report.add(fmt::format("{}.{}.{}", elementOf<&Scene::passes>(p), elementOf<&Pass::units>(u),
                                        keyOf<&Unit::envMode>()),
                            Sentence("what {0} gives is limited to 0 … 1; Mesa passes a texel of {1} on as it "

@@ -76,6 +76,16 @@ std::size_t minVertices(Primitive primitive) {
     return quads ? 4 : static_cast<std::size_t>(partCorners(primitive));
 }
 
+void missingMesh(const Case& about, Report& report) {
+    for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
+        const MeshData& mesh = about.scene.models[m].mesh;
+        if (about.scene.models[m].shape == Shape::Mesh && !mesh.file.empty() && mesh.positions.empty())
+            report.add(modelPath(m, fmt::format("{}.{}", keyOf<&Model::mesh>(), keyOf<&MeshData::file>())),
+                       Sentence("{0} can't be read, or has no part {1}: nothing is drawn",
+                                ProperName{mesh.file}, mesh.part));
+    }
+}
+
 void emptyMesh(const Case& about, Report& report) {
     for (std::size_t m = 0; m < about.scene.models.size(); ++m) {
         const Model& model = about.scene.models[m];
@@ -83,11 +93,7 @@ void emptyMesh(const Case& about, Report& report) {
             continue;
         const MeshData& mesh = model.mesh;
         const std::size_t given = mesh.indices.empty() ? mesh.positions.size() : mesh.indices.size();
-        if (given == 0 && !mesh.file.empty())
-            report.add(modelPath(m, fmt::format("{}.{}", keyOf<&Model::mesh>(), keyOf<&MeshData::file>())),
-                       Sentence("{0} can't be read, or has no part {1}: nothing is drawn",
-                                ProperName{mesh.file}, mesh.part));
-        else if (given < minVertices(mesh.primitive))
+        if (mesh.file.empty() && given < minVertices(mesh.primitive))
             report.add(modelPath(m, keyOf<&Model::shape>()),
                        mesh.positions.empty()
                            ? N_("the mesh has no vertices: nothing is drawn")
@@ -109,6 +115,7 @@ void tooManyStacks(const Case& about, Report& report) {
 }
 
 constexpr std::array modelRuleRows{
+    Rule{"missing-mesh", Severity::Error, missingMesh},
     Rule{"empty-mesh", Severity::Warning, emptyMesh},
     Rule{"too-many-stacks", Severity::Warning, tooManyStacks},
     Rule{"hidden-model", Severity::Hint, hiddenModel},

@@ -269,7 +269,11 @@ void limited(const Case& about, Report& report) {
         if (!isAbove && !glm::any(glm::lessThan(least, glm::vec4(0))))
             continue;
         const std::string path = elementOf<&Scene::textures>(i) + ".";
+        std::vector<Fix> fixes;
         const InternalFormat floats = floatFormat(baseFormat(texture.internalFormat));
+        if (about.driver.floatTextures)
+            fixes.push_back({Sentence("Make it {0}", named(floats)),
+                             {{path + keyOf<&Texture::internalFormat>(), nameOf(floats)}}});
         const bool byScale = upload.scale != glm::vec4(1);
         report.add(path + keyOf<&Texture::upload>() + "." +
                        (byScale ? keyOf<&Upload::scale>() : keyOf<&Upload::bias>()),
@@ -277,8 +281,7 @@ void limited(const Case& about, Report& report) {
                                       named(texture.internalFormat))
                            : Sentence("some components may become less than 0, and {0} stores them as 0",
                                       named(texture.internalFormat)),
-                   Fix{Sentence("Make it {0}", named(floats)),
-                       {{path + keyOf<&Texture::internalFormat>(), nameOf(floats)}}});
+                   std::move(fixes));
     }
 }
 

@@ -51,7 +51,7 @@ inline constexpr std::array coreSubstitutes{
         return {name};
     }
     if (isFloat(format))
-        return {floatBits(format) == 16 ? found->float16 : found->float32, found->swizzle};
+        return {mostBits(format) == 16 ? found->float16 : found->float32, found->swizzle};
     if (isGenericCompressed(format))
         return {isSrgb(format) ? found->compressedSrgb : found->compressed, found->swizzle};
     if (isSrgb(format))

@@ -229,8 +229,8 @@ inline constexpr auto formatFacts = [] {
 [[nodiscard]] constexpr bool isFloat(InternalFormat format) {
     return factsOf(format).encoding == Encoding::Float;
 }
-/// The bits of a component that it stores; all that it stores have as many.
-[[nodiscard]] constexpr int floatBits(InternalFormat format) {
+/// The bits of its widest component.
+[[nodiscard]] constexpr int mostBits(InternalFormat format) {
     return std::ranges::max(factsOf(format).bits);
 }
 /// Whether the driver chooses a compressed format for it, or none.

@@ -16,6 +16,10 @@ Image asRgba(Image image) {
     return out;
 }
 
+Image asBytes(Image image) {
+    return image.format == PixelFormat::RgbaFloat ? asRgba(std::move(image)) : greysOf(std::move(image));
+}
+
 Image withoutAlpha(Image image) {
     if (image.format != PixelFormat::Rgba8)
         return image;

@@ -36,6 +36,10 @@ namespace texplorer {
 /// Returns all pixels as Rgba8, as OpenGL sees them.
 [[nodiscard]] Image asRgba(Image image);
 
+/// Converts what files cannot store: depths to Luminance8, floats to Rgba8. Images of other formats are
+/// returned unchanged.
+[[nodiscard]] Image asBytes(Image image);
+
 /// Returns the colours of an Rgba8 image as Rgb8. Images of other formats are returned unchanged.
 [[nodiscard]] Image withoutAlpha(Image image);
 

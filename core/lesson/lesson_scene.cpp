@@ -67,12 +67,23 @@ Result<void> takeEmbedded(const LessonFolder& folder, LessonScene& step) {
         Result<Bytes> bytes = folder.read(file);
         if (!bytes)
             return fail(bytes.error());
-        Result<TextureImage> image = decodeTexture(*bytes);
-        if (!image)
-            return fail(image.error().code, image.error().message, inFile(folder.placeOf(file)));
-        step.images.put(file, *std::move(image));
+        const auto refuse = [&](const Error& error) {
+            return fail(error.code, error.message, inFile(folder.placeOf(file)));
+        };
+        if (isObjName(file)) {
+            Result<MeshFile> meshes = meshFileIn(*bytes, {});
+            if (!meshes)
+                return refuse(meshes.error());
+            step.images.put(file, std::make_shared<const MeshFile>(*std::move(meshes)));
+        } else {
+            Result<TextureImage> image = decodeTexture(*bytes);
+            if (!image)
+                return refuse(image.error());
+            step.images.put(file, *std::move(image));
+        }
         step.images.putFile(file, *std::move(bytes));
     }
+    step.images.fillMeshes(step.scene);
     return {};
 }
 

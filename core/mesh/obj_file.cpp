@@ -235,20 +235,22 @@ public:
         part_ = {name, material, {}};
         numbers_.clear();
         hasTexCoords_ = false;
-        for (const std::vector<Triangle>* list : lists)
-            for (const Triangle& triangle : *list)
+        for (const std::vector<Triangle>* list : lists) {
+            for (const Triangle& triangle : *list) {
                 for (const Corner& corner : triangle)
                     part_.mesh.indices.push_back(vertexOf(corner));
-        const std::size_t vertices = part_.mesh.positions.size();
-        const std::size_t indices = part_.mesh.indices.size();
-        if (vertices > maxFileVertices || indices > maxFileIndices)
-            return fail(ErrorCode::TooLarge,
-                        Sentence("a part has {0} vertices and {1} corners of triangles; at most {2} and {3} "
-                                 "are read",
-                                 vertices, indices, maxFileVertices, maxFileIndices));
+                const std::size_t vertices = part_.mesh.positions.size();
+                const std::size_t indices = part_.mesh.indices.size();
+                if (vertices > maxFileVertices || indices > maxFileIndices)
+                    return fail(ErrorCode::TooLarge,
+                                Sentence("a part has {0} vertices and {1} corners of triangles; at most {2} "
+                                         "and {3} are read",
+                                         vertices, indices, maxFileVertices, maxFileIndices));
+            }
+        }
         if (!hasTexCoords_)
             part_.mesh.texCoords.clear();
-        if (indices > 0)
+        if (!part_.mesh.indices.empty())
             out_.parts.push_back(std::move(part_));
         return {};
     }

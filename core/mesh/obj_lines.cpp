@@ -120,7 +120,7 @@ Result<void> takeNumbers(int line, std::span<const std::string_view> words, std:
     for (const std::string_view word : words.first(std::min(words.size(), most + 1)))
         lines.text.append(word).append(" ");
     lines.text += '\n';
-    return {};
+    return checkMost(line, N_("lines of v, vt and vn"), maxObjNumbers, ++lines.numbers);
 }
 
 Result<void> takePolygon(int line, std::span<const std::string_view> words, ObjLines& lines) {

@@ -18,14 +18,16 @@ struct ObjLines {
     std::vector<std::string> libraries; ///< the names after mtllib, each once
     std::size_t triangles = 0;          ///< that the polygons fall into
     std::size_t names = 0;              ///< lines that name an object, a group or a material
+    std::size_t numbers = 0;            ///< lines of positions, texture coordinates and normals
 };
 
-// What a file may have, so that its lists need at most 1 GiB: a fan of triangles needs 18 times the bytes of
-// its line.
+// What a file may have: a fan of triangles needs 18 times the bytes of its line, and each part has copies of
+// its names.
 inline constexpr std::size_t maxObjLineBytes = std::size_t{1} << 20;
 inline constexpr std::size_t maxObjNameBytes = 1024;
 inline constexpr std::size_t maxObjNames = 65536;
 inline constexpr std::size_t maxObjTriangles = 6'000'000;
+inline constexpr std::size_t maxObjNumbers = 12'000'000;
 
 /// Whether the first line that says something is one of an OBJ file.
 [[nodiscard]] bool beginsAsObj(ByteView file);

@@ -127,6 +127,8 @@ Result<void> applyPreset(const Preset& preset, Scene& scene, const PresetPlace& 
     if (!preset.cures && edited.view.background == preset::paper)
         edited.view.background = defaultScene().view.background;
     Texture& texture = edited.textures[static_cast<std::size_t>(unit.texture)];
+    if (isRefused(texture.internalFormat)) // what another preset is about
+        texture.internalFormat = InternalFormat::Rgba;
     if (Result<void> done = preset.edit({edited, pass, unit, texture, place}); !done)
         return done;
     scene = std::move(edited);

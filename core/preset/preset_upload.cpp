@@ -36,6 +36,18 @@ Result<void> swappedColours(const PresetTarget& target) {
     return {};
 }
 
+Result<void> wrongFormat(const PresetTarget& target) {
+    showRead(target, Pattern::Planet, {});
+    target.texture.internalFormat = InternalFormat::Bgr;
+    return {};
+}
+
+Result<void> noLevels(const PresetTarget& target) {
+    showRead(target, Pattern::Planet, {});
+    target.texture.minFilter = Texture{}.minFilter;
+    return {};
+}
+
 /// A square with t as it counts from the top, or from the bottom.
 Model& showUpright(const PresetTarget& target, float bottom) {
     takeGivenCoordinates(target.unit);
@@ -68,6 +80,17 @@ constexpr std::array uploadRows{
            N_("The seas are brown and the highlands blue: red and blue have changed places. Told GL_BGR, "
               "OpenGL reads them right."),
            swappedColours},
+    Preset{"wrong-format", uploadGroup, N_("Wrong internal format"),
+           N_("The argument internalFormat is GL_BGR, which is an order of components in memory."),
+           N_("Nothing but the colour of the models: OpenGL answers GL_INVALID_VALUE, and the texture has no "
+              "image. With GL_RGB it has one."),
+           wrongFormat},
+    Preset{
+        "no-levels", uploadGroup, N_("White without mipmaps"),
+        N_("One image, and GL_TEXTURE_MIN_FILTER as it is in a new texture: GL_NEAREST_MIPMAP_LINEAR."),
+        N_("Nothing but the colour of the models: the filter asks for smaller levels, and without them the "
+           "texture is incomplete."),
+        noLevels},
     Preset{"upside-down", uploadGroup, N_("Upside-down picture"),
            N_("A square whose t counts from the top, as rows do in most files and t does in Direct3D."),
            N_("The picture stands on its head: in OpenGL t is 0 at the first row of glTexImage2D, and 1 at "

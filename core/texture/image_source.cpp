@@ -242,6 +242,13 @@ void ImageSource::fillMeshes(Scene& scene) const {
             model.mesh = meshOf(model.mesh, meshesOf(model.mesh.file).get());
 }
 
+bool ImageSource::hasFilled(const Scene& scene) const {
+    return std::ranges::all_of(scene.models, [&](const Model& model) {
+        const MeshData& mesh = model.mesh;
+        return mesh.file.empty() || mesh == meshOf(mesh, meshesOf(mesh.file).get());
+    });
+}
+
 void ImageSource::put(const std::string& file, Image image) {
     put(file, madeHere(std::move(image)));
 }

@@ -45,6 +45,8 @@ public:
 
     /// Gives the models that name a file its vertices, or none where it isn't loaded.
     void fillMeshes(Scene& scene) const;
+    /// Whether that would change nothing. As cheap as a comparison of pointers where it is so.
+    [[nodiscard]] bool hasFilled(const Scene& scene) const;
 
     /// The same; also for outlines (DecodeLimits::pixels), which are enough for most of a diagnosis, but not
     /// for drawing. Returns an error for each parameter whose file cannot be read, in order.

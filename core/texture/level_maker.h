@@ -116,7 +116,7 @@ private:
     }
     /// As the texture stores it, for levels that are made of what it stores.
     [[nodiscard]] Image stored(Image image) const {
-        return keepsFloats() ? floatsOf(image, floatBits(texture_.internalFormat)) : std::move(image);
+        return keepsFloats() ? floatsOf(image, mostBits(texture_.internalFormat)) : std::move(image);
     }
 
     /// Who makes the other levels of the base after it was read: otherwise the program holds all of them.

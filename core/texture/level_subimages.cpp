@@ -33,8 +33,9 @@ Sentence LevelMaker::subimageRefusal(std::size_t index) const {
     if (!holdsPicture(pictures_.subimage(index)))
         return subimage.file.empty() ? Sentence("no file is chosen")
                                      : Sentence("{0} is not loaded", ProperName{subimage.file});
-    if (const Image* pixels = std::get_if<Image>(&base()); pixels && pixels->format == PixelFormat::Depth32)
-        return "colours cannot replace depths";
+    const Image* pixels = std::get_if<Image>(&base());
+    if (isDepth(texture_.internalFormat) || (pixels && pixels->format == PixelFormat::Depth32))
+        return "colours cannot replace depths"; // GL_INVALID_OPERATION (section 3.8.2)
     if (isCube() && subimage.z >= facesOf(target_))
         return Sentence("a cube map has the faces 0 to {0}, not {1}", facesOf(target_) - 1, subimage.z);
     return {};

@@ -93,7 +93,9 @@ Result<void> LevelMaker::takeMadeOfRead(int face, const MipOptions& options) {
         return fail(read.error());
     if (readsFirst_ == ReadsFirst::ForDriver)
         replaceIn(read->image, 0, face);
-    MipChain chain = chainOf(texture_.mipmaps, stored(std::move(read->image)), options);
+    if (readsFirst_ == ReadsFirst::ForDriver) // GLU has all bits of what it reads
+        read->image = stored(std::move(read->image));
+    MipChain chain = chainOf(texture_.mipmaps, std::move(read->image), options);
     int number = 0;
     for (Image& level : chain)
         out_.levels.push_back({number++, std::move(level), face});

@@ -89,10 +89,8 @@ MipChain pixelsOf(TextureLevels& levels, const TextureSaving& how, bool topFirst
     MipChain pixels;
     for (std::size_t i = 0; i < levels.levels.size(); ++i) {
         Image image =
-            greysOf(before && !levels.source.empty() ? std::move(levels.source[i])
+            asBytes(before && !levels.source.empty() ? std::move(levels.source[i])
                                                      : toImage(std::move(levels.levels[i].surface).take()));
-        if (image.format == PixelFormat::RgbaFloat)
-            image = asRgba(std::move(image));
         if (levels.border > 0)
             image = withoutBorder(image, axesOf(how.target));
         if (!topFirst)
@@ -197,7 +195,7 @@ Result<SavedTexture> savedTexture(const Texture& texture, const TexturePictures&
     image.levels = static_cast<int>(levels->levels.size()) / image.faces;
     image.srgb = !formatOfBlocks(*levels) && isSrgb(levels->internalFormat);
     if (isDepth(levels->internalFormat) || isFloat(levels->internalFormat))
-        image.componentBits = factsOf(levels->internalFormat).bits.front();
+        image.componentBits = mostBits(levels->internalFormat);
     if (const Result<void> added = addSurfaces(*levels, texture, how, work, saved); !added)
         return fail(added.error());
     image.alpha = hasAlpha(image.surfaces.front()) ? AlphaMeaning::Straight : AlphaMeaning::None;

@@ -81,10 +81,7 @@ void makeBytes(TextureLevels& levels) {
     for (TextureLevel& level : levels.levels) {
         if (const auto* blocks = std::get_if<BlockImage>(&*level.surface))
             levels.internalFormat = internalFormat(baseFormat(blocks->format));
-        Image pixels = toImage(std::move(level.surface).take());
-        if (pixels.format == PixelFormat::RgbaFloat)
-            pixels = asRgba(std::move(pixels));
-        level.surface = std::move(pixels);
+        level.surface = asBytes(toImage(std::move(level.surface).take()));
     }
     if (levels.driverFormat)
         levels.internalFormat = internalFormat(baseFormat(*levels.driverFormat));

@@ -8,6 +8,7 @@
 #include "texplorer/lesson/example.h"
 #include "texplorer/lesson/lesson_scene.h"
 #include "texplorer/preset/preset.h"
+#include "texplorer/scene/edit/edit.h"
 #include "texplorer/scene/params/json.h"
 #include "texplorer/scene/params/param_listing.h"
 #include "texplorer/scene/params/param_text.h"
@@ -24,8 +25,13 @@ namespace {
 
 Result<void> assign(Scene& scene, const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
-    return setParam(scene, std::string_view(assignment).substr(0, equals),
-                    std::string_view(assignment).substr(equals + 1));
+    const Edit edit = edit::Set{assignment.substr(0, equals), assignment.substr(equals + 1)};
+    return makeEdits(scene, {&edit, 1});
+}
+
+/// Whether a model's vertices, which an assignment may change, are in a file.
+bool hasMeshFiles(const Scene& scene) {
+    return std::ranges::any_of(scene.models, [](const Model& model) { return !model.mesh.file.empty(); });
 }
 
 /// Told while the command line is read, before a value that stands apart is taken for a scene's file.
@@ -250,6 +256,9 @@ tl::expected<OpenedScene, SceneProblem> openScene(const SceneArgument& argument)
             opened.images.put(argument.path().filename().string(), std::move(read->meshes));
         }
     }
+    if (!argument.assignments.empty() && hasMeshFiles(opened.scene))
+        static_cast<void>(
+            opened.images.load(opened.scene)); // who needs the files says what is wrong with them
     for (const std::string& assignment : argument.assignments) {
         if (const auto assigned = assign(opened.scene, assignment); !assigned)
             return tl::unexpected(SceneProblem{assigned.error(), wrongCall});

@@ -11,7 +11,7 @@
 #include "app/screenshot/output/messages.h"
 #include "app/screenshot/output/output.h"
 #include "texplorer/base/sentence_format.h"
-#include "texplorer/image/depth_pixels.h"
+#include "texplorer/image/convert.h"
 #include "texplorer/reference/light_depth.h"
 #include "texplorer/s3tc/surface_pixels.h"
 #include "texplorer/scene/params/keys.h"
@@ -178,7 +178,11 @@ Result<WrittenTexture> imageOf(const TextureOptions& options, OpenedScene& opene
     if (const auto loaded = opened.images.load(opened.scene); !loaded)
         return fail(loaded.error());
     const auto written = [](Image&& picture) {
-        return WrittenTexture{textureOf(greysOf(std::move(picture)), {})};
+        const bool areFloats = picture.format == PixelFormat::RgbaFloat;
+        TextureImage image = textureOf(asBytes(std::move(picture)), {});
+        if (areFloats)
+            image.componentBits = 32;
+        return WrittenTexture{std::move(image)};
     };
     if (options.fromDriver) {
         const Result<ReadTexture> read = readFromDriver(options, opened, context);

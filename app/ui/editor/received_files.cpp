@@ -60,12 +60,24 @@ void finishImport(Session& session, const Load& load) {
            [&](Scene& scene) { bindFile(scene, load.pass, load.unit, load.file); });
 }
 
-/// The models of all steps have what has arrived.
-void fillMeshes(Session& session) {
+/// The models of all scenes of the document have the vertices of the files that are loaded: also after undo,
+/// and where another file has replaced one.
+void followMeshes(Session& session) {
     Document& document = session.document;
-    if (filesOf(document.scene).empty())
+    Kept& kept = document.kept;
+    const auto isFilled = [&](const Scene* scene) { return !scene || document.images.hasFilled(*scene); };
+    if (isFilled(&document.scene) && isFilled(kept.scene.get()))
         return;
     const auto fill = [&](Scene& scene) { document.images.fillMeshes(scene); };
+    for (std::shared_ptr<const Scene>* each : {&kept.scene, &kept.seen}) {
+        if (!*each)
+            continue;
+        auto filled = std::make_shared<Scene>(**each);
+        fill(*filled);
+        *each = std::move(filled);
+    }
+    if (kept.flippedAt)
+        fill(*kept.flippedAt);
     fill(document.scene);
     fill(document.saved);
     document.history.change(fill);
@@ -143,7 +155,7 @@ bool finish(Session& session, Load& load) {
         return true;
     }
     putAll(session.document.images, load);
-    fillMeshes(session);
+    followMeshes(session);
     if (load.kind == Load::Kind::Import)
         finishImport(session, load);
     else if (load.kind == Load::Kind::Add)
@@ -271,6 +283,7 @@ bool receiveFiles(Session& session) {
     const std::size_t before = session.document.loads.size();
     finishInOrder(session);
     news |= reloadChanged(session);
+    followMeshes(session);
     watchFiles(session);
     return news || session.document.loads.size() != before;
 }

@@ -141,16 +141,22 @@ void askPictures(Session& session, const LessonRun& run) {
         work.pictures.ask(std::move(scenes));
 }
 
+/// Gives the step's scene the vertices of its files, and makes the scene to reach.
+void readyStart(LessonRun& run) {
+    run.start.images.fillMeshes(run.start.scene);
+    if (const auto* match = std::get_if<Match>(&stepOf(run).task)) {
+        if (const Result<lesson::LessonScene> target = withEdits(run.start, match->edits))
+            run.target = target->scene;
+    }
+}
+
 void begin(Session& session) {
     LessonRun& run = *session.lesson;
     readyKeys(run);
     static_cast<LessonStepRun&>(run) = {.wantedScroll = LessonRun::Scroll::Top};
     session.services.lessons->rest();
-    if (const auto* match = std::get_if<Match>(&stepOf(run).task)) {
-        if (const Result<lesson::LessonScene> target = withEdits(run.start, match->edits))
-            run.target = target->scene;
-    }
     shareImages(run.start, session.document);
+    readyStart(run);
     run.awaitsImages = !holdsAll(run.start.images, run.start.scene);
     showScene(session, run.start);
     if (!run.awaitsImages)
@@ -221,6 +227,7 @@ void receiveImages(Session& session, LessonRun& run) {
     run.awaitsImages = false;
     for (const std::string& file : filesOf(run.start.scene))
         run.start.images.share(file, document.images, file);
+    readyStart(run);
     askPictures(session, run);
 }
 

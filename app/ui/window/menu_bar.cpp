@@ -327,7 +327,7 @@ void viewItems(const Session& session, const Layout& layout) {
 /// free.
 void presetsItems(const Session& session) {
     const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing.x, std::floor(spacing.y / 2)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing.x, std::floor(spacing.y / 4)});
     std::string_view group;
     for (const Preset& preset : presets()) {
         if (preset.group != group) {

@@ -141,23 +141,22 @@ Result<void> makeOne(Scene& scene, const Edit& edit) {
     return std::visit([&](const auto& each) { return make(scene, each); }, edit);
 }
 
-bool hasSameLists(const MeshData& a, const MeshData& b) {
-    return a.positions == b.positions && a.normals == b.normals && a.colors == b.colors &&
-           a.texCoords == b.texCoords && a.indices == b.indices;
-}
-
-/// Whether edits have changed the vertices of a file, or given them coordinates.
+/// Whether edits have changed the vertices of a file, or given them other coordinates. A file that they name
+/// is read later.
 bool isEdited(const Model& model, const std::vector<Model>& before) {
     const MeshData& mesh = model.mesh;
-    if (mesh.file.empty() || mesh.positions.empty())
+    if (model.shape != Shape::Mesh || mesh.file.empty() || mesh.positions.empty())
         return false;
     const auto hasSameFile = [&](const Model& each) {
         return each.mesh.file == mesh.file && each.mesh.part == mesh.part;
     };
-    const auto isSame = [&](const Model& each) { return hasSameLists(each.mesh, mesh); };
-    return std::ranges::any_of(model.texCoords, [](const auto& list) { return !list.empty(); }) ||
-           std::ranges::any_of(model.noTexCoord, [](const auto& list) { return !list.empty(); }) ||
-           (std::ranges::any_of(before, hasSameFile) && std::ranges::none_of(before, isSame));
+    const auto isSame = [&](const Model& each) {
+        return each.mesh.positions == mesh.positions && each.mesh.normals == mesh.normals &&
+               each.mesh.colors == mesh.colors && each.mesh.texCoords == mesh.texCoords &&
+               each.mesh.indices == mesh.indices && each.texCoords == model.texCoords &&
+               each.noTexCoord == model.noTexCoord;
+    };
+    return std::ranges::any_of(before, hasSameFile) && std::ranges::none_of(before, isSame);
 }
 
 /// Vertices that were edited are the scene's own.

@@ -404,6 +404,10 @@ Result<Scene> parseScene(std::string_view json) {
         return fail(ErrorCode::Malformed, "expected a scene in JSON");
     if (auto checked = checkTogether(scene); !checked)
         return fail(std::move(checked.error()));
+    for (Model& model : scene.models) {
+        if (MeshData& mesh = model.mesh; !mesh.file.empty()) // its lists are the file's
+            mesh = {.primitive = mesh.primitive, .file = mesh.file, .part = mesh.part};
+    }
     return scene;
 }
 

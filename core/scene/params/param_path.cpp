@@ -298,6 +298,10 @@ Error timelineMoved() {
     return {ErrorCode::OutOfRange, N_("a key can't move the timeline itself"), {}};
 }
 
+Error fileMoved() {
+    return {ErrorCode::OutOfRange, N_("key frames can't change what a mesh has from a file"), {}};
+}
+
 /// The name of a file of vertices, or something of the vertices.
 bool isOfMeshFile(const Place& place) {
     if (place.row->member == memberId<&MeshData::file> || place.row->member == memberId<&MeshData::part>)
@@ -419,6 +423,8 @@ Result<void> putBetween(Scene& scene, std::string_view path, std::string_view fr
     };
     if (place->table == &keyFrameTable())
         return refuse(timelineMoved());
+    if (isOfMeshFile(*place))
+        return refuse(fileMoved());
     const auto first = valueOf(*place, from);
     if (!first)
         return refuse(first.error());
@@ -443,7 +449,7 @@ Result<void> checkMovable(const Scene& scene, std::string_view path, std::string
     if (place->table == &keyFrameTable())
         return refuse(timelineMoved());
     if (isOfMeshFile(*place))
-        return refuse({ErrorCode::OutOfRange, N_("key frames can't change what a mesh has from a file"), {}});
+        return refuse(fileMoved());
     if (place->row->kind == Kind::IndexList) { // numbers of others, which must exist
         Scene edited = scene;
         return setParam(edited, path, text);

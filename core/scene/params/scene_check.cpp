@@ -89,6 +89,10 @@ Result<void> checkPassModels(const Scene& scene, const Pass& pass) {
 Result<void> checkVertexList(const Model& model, const ParamRow& row) {
     const Value list = row.read(&model);
     const std::size_t count = vertexCountOf(model);
+    if (model.shape == Shape::Mesh && !model.mesh.file.empty() && count == 0 && listSize(list) > 0)
+        return fail(ErrorCode::OutOfRange,
+                    Sentence("expected no list: the vertices are those of {0}, with their own coordinates",
+                             ProperName{model.mesh.file}));
     if (const auto* numbers = std::get_if<SharedList<int>>(&list))
         return checkNumbers(
             *numbers, count,

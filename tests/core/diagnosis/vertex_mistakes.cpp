@@ -105,7 +105,7 @@ constexpr std::array vertexRows{
             [](Subject& s) { s.driver.renderer = "softpipe"; }},
     Mistake{"MeshOfNothing", "empty-mesh", Warning, "models[0].shape", "has no vertices",
             [](Subject& s) { s.scene.models[0].shape = Shape::Mesh; }, [](Subject& s) { triangle(s); }},
-    Mistake{"MeshOfAFileThatIsNotThere", "empty-mesh", Warning, "models[0].mesh.file",
+    Mistake{"MeshOfAFileThatIsNotThere", "missing-mesh", Error, "models[0].mesh.file",
             "gone.obj can't be read, or has no part 2",
             [](Subject& s) {
                 s.scene.models[0].shape = Shape::Mesh;

@@ -185,6 +185,32 @@ TEST_F(MeshFiles, WhoseVerticesAreEditedBecomeTheScenesOwn) {
     EXPECT_EQ(edited(edit::Set{"models[0].size", "2"}).file, "two.obj");
 }
 
+TEST_F(MeshFiles, StayWhereNoVertexOfTheirsIsEdited) {
+    write("two.obj", twoParts);
+    Scene scene = sceneWith("two.obj");
+    ASSERT_TRUE(ImageSource(dir.path()).load(scene));
+    const auto fileAfter = [](Scene edited, const char* path, const char* value) {
+        const Edit edit = edit::Set{path, value};
+        const Result<void> made = makeEdits(edited, {&edit, 1});
+        EXPECT_TRUE(made) << describe(made.error());
+        return edited.models[0].mesh.file;
+    };
+    Scene cube = scene;
+    cube.models[0].shape = Shape::Cube;
+    EXPECT_EQ(fileAfter(cube, "models[0].texCoords0[1]", "2,3"), "two.obj");
+    Scene own = scene; // with vertices and coordinates of its own
+    own.models[0].mesh.file.clear();
+    own.models[0].texCoords[0] = TexCoords(own.models[0].mesh.positions.size(), glm::vec4(1));
+    EXPECT_EQ(fileAfter(own, "models[0].mesh.file", "two.obj"), "two.obj");
+}
+
+TEST_F(MeshFiles, LeaveNoListsOfTheScenesText) {
+    const Scene read = parseScene(R"({"models": [{"shape": "mesh", "mesh": {"file": "a.obj", "part": 1,
+        "positions": [[0, 0, 0]], "indices": [7, 8, 9]}}]})")
+                           .value();
+    EXPECT_EQ(read.models[0].mesh, (MeshData{.file = "a.obj", .part = 1}));
+}
+
 TEST_F(MeshFiles, AreNotChangedByKeyFrames) {
     write("two.obj", twoParts);
     Scene scene = sceneWith("two.obj");

@@ -378,6 +378,16 @@ TEST(PresetPictures, SwappedColoursHaveRedForBlue) {
     EXPECT_LT(shareOf(drawn(with("swapped-colours")), isBlue), seas / 3);
 }
 
+TEST(PresetPictures, TexturesWithoutAnImageOrLevelsShowNothing) {
+    Scene off = with("no-levels");
+    off.passes[0].units[0].enabled = false;
+    EXPECT_EQ(drawn(with("no-levels")), drawn(off));
+    EXPECT_EQ(drawn(with("wrong-format")), drawn(off));
+    Scene cured = with("no-levels");
+    cured.textures[0].minFilter = MinFilter::Linear;
+    EXPECT_NE(drawn(cured), drawn(off));
+}
+
 TEST(PresetPictures, ANetVanishesInTheDistanceAndItsCureStays) {
     const auto farShare = [](const Scene& scene) {
         const Image image = drawn(scene);

@@ -72,6 +72,13 @@ TEST(Subimages, AreScaledIfTheyAreBuiltIn) {
     EXPECT_THAT(redsOf(subject.levels(), 0, 2), ElementsAre(0, 0, 0, 0));
 }
 
+TEST(Subimages, OfColoursLeaveDepths) {
+    Subject subject;
+    subject.texture.internalFormat = InternalFormat::DepthComponent24;
+    EXPECT_EQ(subject.note(), "subimages[0]: colours cannot replace depths; not changed");
+    EXPECT_THAT(redsOf(subject.levels(), 0, 2), ElementsAre(0, 0, 0, 0));
+}
+
 // Levels that a program makes before the call stay as they were: only the named one changes.
 TEST(Subimages, ChangeOneLevelOfThoseThatAProgramMakes) {
     Subject subject;

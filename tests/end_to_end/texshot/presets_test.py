@@ -11,6 +11,8 @@ class Presets(Texshot):
     MISTAKES = {  # that these presets show
         "slanted": {"upload-rows"},
         "swapped-colours": {"upload-pixels"},
+        "wrong-format": {"format-refused"},
+        "no-levels": {"incomplete"},
         "wrong-unit": {"no-tex-coord"},
     }
 

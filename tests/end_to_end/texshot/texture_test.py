@@ -123,6 +123,23 @@ class TexturePictures(Texshot):
         self.assertGreaterEqual(driver["largest"], 64)
         self.assertIn(driver["resident"], (True, False))
 
+    def test_floats_are_limited_in_files(self):
+        upload = {"custom": True, "memory": "layout", "scale": [2, 2, 2, 1], "bias": [-0.5, 0, 0, 0]}
+        scene = self.scene(internalFormat="GL_RGB32F_ARB", upload=upload)
+        limited = [min(max(round(c * 2 - 127.5 * (i % 3 == 0)), 0), 255) for i, c in enumerate(self.original.tobytes())]
+        expected = Image.frombytes("RGB", self.original.size, bytes(limited))
+        def check(picture):
+            for name in "RGB":
+                self.assert_near(picture.convert("RGB").getchannel(name), expected.getchannel(name), 1)
+
+        for kind in ("png", "tga", "bmp", "dds"):
+            self.succeeds("texture", scene, "-o", self.path / f"out.{kind}")
+            with Image.open(self.path / f"out.{kind}") as picture:
+                check(picture)
+        picture, driver = self.from_driver(internalFormat="GL_RGB32F_ARB", upload=upload)
+        check(picture)
+        self.assertEqual(driver["levels"][0]["bits"]["red"], 32)
+
     def test_luminance_is_returned_as_red(self):  # OpenGL 2.1, section 6.1.4
         picture, driver = self.from_driver(internalFormat="1")
         self.assertEqual(picture.getchannel("R").tobytes(), self.original.getchannel("R").tobytes())

@@ -3,6 +3,7 @@
 #include "app/ui/files/loads.h"
 #include "app/ui/files/scene_files.h"
 #include "app/ui/files/scene_saving.h"
+#include "app/ui/model/kept.h"
 #include "app/ui/model/notice.h"
 #include "tests/support/small_bmp.h"
 #include "tests/support/temp_dir.h"
@@ -100,6 +101,27 @@ TEST_F(SceneFiles, OfManyVerticesNameTheirMeshes) {
     take(session, Undo{});
     EXPECT_EQ(session.document.scene.models[1].mesh.positions, before.models[1].mesh.positions);
     EXPECT_NE(session.document.scene.models[1].mesh.file, "");
+}
+
+TEST_F(SceneFiles, MeshesArriveInEveryStepAndInA) {
+    const std::string triangle = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+    write(folder / "a.json", R"({"models": [{"shape": "mesh", "mesh": {"file": "a.obj"}}]})");
+    write(folder / "a.obj", triangle);
+    write(folder / "b.obj", triangle + "f 1 3 2\n");
+    open(session, folder / "a.json");
+    keepAsA(session);
+    take(session, Step{.name = "File", .edits = {edit::Set{"models[0].mesh.file", "b.obj"}}});
+    take(session, Undo{}); // before it has arrived
+    waitForFiles(session);
+    take(session, Redo{});
+    waitForFiles(session);
+    EXPECT_EQ(session.document.scene.models[0].mesh.indices.size(), 6U);
+    take(session, Undo{});
+    session.document.images.put("a.obj", session.document.images.meshesOf("b.obj")); // as a changed file
+    receiveFiles(session);
+    EXPECT_EQ(session.document.scene.models[0].mesh.indices.size(), 6U);
+    EXPECT_EQ(session.document.kept.scene->models[0].mesh.indices.size(), 6U);
+    EXPECT_FALSE(isDirty(session.document));
 }
 
 TEST_F(SceneFiles, MeshesFollowTheirFile) {
