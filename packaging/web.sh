@@ -1,19 +1,28 @@
 #!/usr/bin/env bash
-# Makes what core is built with for WebAssembly, in build/wasm32/root: a C library, libc++ with exceptions, the libraries
-# that core links, and the headers of those that are headers alone. What is fetched has a fixed version and a checksum;
+# Makes what the page is built with for WebAssembly, in build/wasm32/root: a C library, libc++ with exceptions, the libraries
+# that core and the panels link, and the headers of those that are headers alone; and the page's system and the licences of
+# all of these. What is fetched has a fixed version and a checksum;
 # the compiler and the headers are Debian's packages. Only this script fetches anything, and only when it has changed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . packaging/bare_debian.sh
 
-# The C library, of an npm package that holds a compiler: its name, version and SHA-256. Debian's has no <pthread.h>.
-c_library=(@yowasp/clang 22.0.0-git20542-10 6230ea1afa9691fa065935cf68c01642ff9b31c183fe8ac64cdfda025df06009)
+# npm packages: name, version and SHA-256. The first holds a compiler, of which its C library is taken: Debian's has no
+# <pthread.h>. The second is the system that a page gives to a program.
+npm_packages=(
+    "@yowasp/clang 22.0.0-git20542-10 6230ea1afa9691fa065935cf68c01642ff9b31c183fe8ac64cdfda025df06009"
+    "@bjorn3/browser_wasi_shim 0.4.2 9c0281520d0e99f027ec7c1c79b4036c0f8168ed9bf98aba19db4737a1333782"
+)
 # Source packages of Debian 12, with the SHA-256 of their .dsc, which has those of the other files.
 sources=(
+    "freetype=2.12.1+dfsg-5+deb12u4 eead829b4bc79107e8e79c4da006110dffe264f9d48b3ba02f76cf7e84b64389"
+    "giflib=5.2.1-2.5+deb12u1 5206a92fd4a057768f429033a3a80bc1e06453f6c60dfec243d8188fa6ade3f4"
+    "imgui=1.86+ds-1 a8023a69501688316566ecd615fe98ecc53b11d305205a6636593f7066bdb7c3"
     "libdeflate=1.14-1 1f82791c5ac5623ed110e09cc991471deebfe4c419414392d1242e122c6f4c19"
     "libjpeg-turbo=1:2.1.5-2 d718ead0dfbcbc8523665c02a7f7152e31039ded641d022868722623bb3b486d"
     "libpng1.6=1.6.39-2+deb12u5 7b86211030a34deb6b0a2cd7e1d9db0fe92443fd30cab537fb89b1e7f7c9f188"
     "libsquish=1.15-3 4bb0642f92b18ec35ec596f638fe5887820041b16e4c27feefe5c6a374701645"
+    "libwebp=1.2.4-0.2+deb12u1 d9ed0b59e2010f255c28d0869fd15b31f9b08aed757bfc91862d43aa9ec1aa99"
     "zlib=1:1.2.13.dfsg-1 3fa1e6b2fc525062aa88207dda52fed8e045373c809d362fe8a2bfbf7cf515a8"
 )
 # The C++ library, of the compiler's own source package: its version and the SHA-256 of its .orig.tar.xz. Debian's package of
@@ -21,6 +30,7 @@ sources=(
 llvm=(llvm-toolchain-22 22.1.8 b49b9277aef97616320b2da259e1f8174c65b0ce2fbe2e8629644a97693402fe)
 header_packages=(libglm-dev libexpected-dev libfmt-dev nlohmann-json3-dev libstb-dev libxxhash-dev
     libtinyobjloader-dev)
+copied_packages=(wasi-libc fonts-dejavu-core fonts-droid-fallback) # their licences: of the same C library, and of fonts
 
 say() { printf 'web: %s\n' "$*" >&2; }
 
@@ -63,8 +73,13 @@ fetch() {
         ! apt-get "${apt[@]}" source --tar-only --only-source "${llvm[0]}=$version" || break
     done
     check "${llvm[0]}_${llvm[1]}.orig.tar.xz" "${llvm[2]}"
-    npm pack --silent "${c_library[0]}@${c_library[1]}"
-    check ./*.tgz "${c_library[2]}"
+    local name number hash
+    for name in "${npm_packages[@]}"; do
+        read -r name number hash <<<"$name"
+        npm pack --silent "$name@$number"
+        name=${name#@}
+        check "${name/\//-}-$number.tgz" "$hash"
+    done
 }
 
 unpack() {
@@ -73,8 +88,10 @@ unpack() {
     mkdir llvm # of a gigabyte, these
     tar -xf "${llvm[0]}"_*.orig.tar.xz -C llvm --strip-components=1 --wildcards --exclude='*/test/*' '*/libcxx/*' \
         '*/libcxxabi/*' '*/libunwind/*' '*/libc/*' '*/runtimes/*' '*/cmake/*' '*/llvm-lit/*'
-    tar -xOf ./*.tgz package/gen/llvm-resources.tar | tar -x -C "$root" include/wasm32-wasip1 lib/wasm32-wasip1
+    tar -xOf yowasp-clang-*.tgz package/gen/llvm-resources.tar | tar -x -C "$root" include/wasm32-wasip1 lib/wasm32-wasip1
     rm "$lib"/libc++*
+    mkdir -p "$root/share/wasi"
+    tar -xf bjorn3-browser_wasi_shim-*.tgz -C "$root/share/wasi" --strip-components=2 --wildcards 'package/dist/*.js'
 }
 
 make_cmake() { # make_cmake NAME SOURCES OPTION…: built with CMake and installed into the root
@@ -87,18 +104,23 @@ compile() { # compile COMPILER FILE FLAG…: FILE.o, with the toolchain's flags
     ccache "$1" --target=wasm32-wasip1 --sysroot="$root" -DNDEBUG "${flags[@]}" "${@:3}" -c "$2" -o "$2.o"
 }
 
-make_library() { # make_library NAME COMPILER FLAG… -- FILE…
-    local name=$1 compiler=$2 options=() file
+make_library() { # make_library NAME COMPILER FLAG… -- FILE…: it fails if one of them is not compiled
+    local name=$1 compiler=$2 options=() started=0 file
     shift 2
     while [ "$1" != -- ]; do options+=("$1") && shift; done
     shift
-    for file in "$@"; do compile "$compiler" "$file" "${options[@]}"; done
+    for file in "$@"; do
+        compile "$compiler" "$file" "${options[@]}" &
+        ((++started % $(nproc))) || wait
+    done
+    wait
     llvm-ar-22 rcs "$lib/lib$name.a" "${@/%/.o}"
 }
 
-write_pc() { # write_pc NAME LIBRARY
+write_pc() { # write_pc NAME LIBRARY [FLAG]
     mkdir -p "$root/lib/pkgconfig"
-    printf 'Name: %s\nDescription: %s\nVersion: 1\nLibs: -l%s\n' "$1" "$1" "$2" >"$root/lib/pkgconfig/$1.pc"
+    printf 'Name: %s\nDescription: %s\nVersion: 1\nLibs: -l%s\nCflags: %s\n' "$1" "$1" "$2" "${3:-}" \
+        >"$root/lib/pkgconfig/$1.pc"
 }
 
 make_all() {
@@ -125,15 +147,40 @@ make_all() {
     cp zlib/{zlib,zconf}.h libdeflate/libdeflate.h libpng1.6/{png,pngconf,pnglibconf}.h libsquish/squish.h "$include"
     make_cmake jpeg libjpeg-turbo -DENABLE_SHARED=OFF -DWITH_SIMD=OFF -DCMAKE_INSTALL_LIBDIR="$lib" \
         -DCMAKE_INSTALL_INCLUDEDIR="$include"
+    make_library gif clang-22 -- giflib/{dgif_lib,egif_lib,gif_err,gif_hash,gifalloc,openbsd-reallocarray,quantize}.c
+    make_library webp clang-22 -Ilibwebp -- libwebp/{sharpyuv,src/{dec,dsp,enc,utils}}/*.c
+    make_library webpmux clang-22 -Ilibwebp -- libwebp/src/mux/*.c
+    make_library imgui clang++-22 -- imgui/imgui{,_draw,_tables,_widgets}.cpp
+    mkdir -p "$include/webp" "$root/include/imgui"
+    cp giflib/gif_lib.h "$include"
+    cp libwebp/src/webp/*.h "$include/webp"
+    cp imgui/{imgui,imconfig,imgui_internal,imstb_textedit}.h "$root/include/imgui"
+    make_cmake freetype-lib freetype -DFT_REQUIRE_ZLIB=ON -DFT_DISABLE_{BZIP2,PNG,HARFBUZZ,BROTLI}=ON -DCMAKE_INSTALL_LIBDIR="$lib" \
+        -DCMAKE_INSTALL_INCLUDEDIR="$include"
     write_pc libdeflate deflate
+    write_pc libwebp webp
+    write_pc libwebpmux webpmux
+    write_pc imgui imgui "-I$root/include/imgui"
     write_pc libturbojpeg turbojpeg
 
     dpkg -L "${header_packages[@]}" | grep -E '^/usr/(include|share/cmake)/' |
         tar -C / --no-recursion -T - -c | tar -x -C "$root" --strip-components=1
 }
 
+collect_licences() {
+    local name
+    mkdir -p "$root/share/licences"
+    for name in *.dsc; do cp "${name%%_*}/debian/copyright" "$root/share/licences/${name%%_*}"; done
+    cp llvm/libcxx/LICENSE.TXT "$root/share/licences/libc++"
+    tar -xOf bjorn3-browser_wasi_shim-*.tgz package/LICENSE-MIT >"$root/share/licences/browser_wasi_shim"
+    for name in "${header_packages[@]}" "${copied_packages[@]}"; do
+        cp "/usr/share/doc/$name/copyright" "$root/share/licences/$name"
+    done
+}
+
 fetch
 unpack
 make_all
+collect_licences
 rm -rf "$folder/sources" "$folder/apt"
 printf '%s' "$version" >"$folder/made"

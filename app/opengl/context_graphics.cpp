@@ -1,5 +1,8 @@
 #include "app/opengl/context_graphics.h"
 
+#include "app/render/gl_errors.h"
+#include "app/render/gl_handle.h"
+
 #include <GL/glew.h>
 
 namespace texplorer::opengl {
@@ -9,12 +12,38 @@ void setBlending(const ImDrawList* /*list*/, const ImDrawCmd* command) {
     (command->UserCallbackData ? glEnable : glDisable)(GL_BLEND);
 }
 
+/// A 2D texture; None if OpenGL refused it. Restores the bound texture.
+view::PictureHandle makeTexture(const Image& image, stage::Graphics::Use use) {
+    GLint bound = 0;
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+    GLuint texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER,
+                    use == stage::Graphics::Use::Enlarged ? GL_NEAREST : GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 image.pixels.data());
+    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
+    render::GlErrors errors; // errors of pictures in panels are not reported
+    if (errors.check("glTexImage2D"))
+        return render::handleOf(texture);
+    glDeleteTextures(1, &texture);
+    return view::PictureHandle::None;
+}
+
+void dropTexture(view::PictureHandle picture) {
+    const auto texture = static_cast<GLuint>(picture);
+    glDeleteTextures(1, &texture); // of 0: nothing
+}
+
 } // namespace
 
-view::PictureHandle ContextGraphics::show(const std::shared_ptr<const Image>& image, Use use) {
-    return pictures_.show(image, use == Use::Enlarged ? render::PictureCache::Use::Enlarged
-                                                      : render::PictureCache::Use::Scaled);
-}
+ContextGraphics::ContextGraphics(const PanelBackend& backend)
+    : backend_(backend)
+    , pictures_({makeTexture, dropTexture}) {}
 
 void ContextGraphics::fontsChanged() {
     backend_.dropFonts();

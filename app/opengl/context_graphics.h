@@ -1,7 +1,6 @@
 #pragma once
 
-#include "app/render/picture_cache.h"
-#include "app/stage/graphics.h"
+#include "app/stage/picture_cache.h"
 
 namespace texplorer::opengl {
 
@@ -20,7 +19,9 @@ struct PanelBackend {
 /// be destroyed before the context.
 class ContextGraphics : public stage::Graphics {
 public:
-    [[nodiscard]] view::PictureHandle show(const std::shared_ptr<const Image>& image, Use use) final;
+    [[nodiscard]] view::PictureHandle show(const std::shared_ptr<const Image>& image, Use use) final {
+        return pictures_.show(image, use);
+    }
     void endFrame() final { pictures_.endFrame(); }
     void startPanels() final { backend_.start(); }
     void endPanels() final { backend_.end(); }
@@ -31,12 +32,11 @@ public:
     [[nodiscard]] ImDrawCallback blendingSwitch() const final;
 
 protected:
-    explicit ContextGraphics(const PanelBackend& backend)
-        : backend_(backend) {}
+    explicit ContextGraphics(const PanelBackend& backend);
 
 private:
     PanelBackend backend_;
-    render::PictureCache pictures_;
+    stage::PictureCache pictures_;
 };
 
 } // namespace texplorer::opengl

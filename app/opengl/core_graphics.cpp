@@ -1,14 +1,9 @@
 #include "app/opengl/core_graphics.h"
 
 #include "app/render/capabilities.h"
-#include "app/render/rgba_pixels.h"
-#include "texplorer/s3tc/surface_pixels.h"
 
 #include <GL/glew.h>
 #include <backends/imgui_impl_opengl3.h>
-
-#include <new>
-#include <utility>
 
 namespace texplorer::opengl {
 namespace {
@@ -29,23 +24,6 @@ const PanelBackend coreBackend{[] { ImGui_ImplOpenGL3_Init(shadingLanguage()); }
                                [] { ImGui_ImplOpenGL3_CreateFontsTexture(); },
                                ImGui_ImplOpenGL3_NewFrame,
                                ImGui_ImplOpenGL3_RenderDrawData};
-
-/// nullptr: not ready. What is drawn can change with every frame, so that a worker would never finish it.
-std::shared_ptr<const PreparedLevels> preparedFor(const LevelsRequest& request, LevelsSource& source) {
-    if (!isDrawn(request.settings.source))
-        return source.prepare(request);
-    return std::make_shared<const PreparedLevels>(
-        prepareLevels(request.settings, request.pictures, request.target));
-}
-
-/// The base level; nullptr if it cannot be made.
-std::shared_ptr<const Image> pictureOf(const LevelsRequest& request, const PreparedLevels& levels) {
-    if (!levels)
-        return nullptr;
-    const SharedSurface& base = levels->levels.front().surface;
-    const BaseFormat format = baseFormat(request.settings.internalFormat);
-    return std::make_shared<const Image>(render::asRgba8(toImage(*base), format));
-}
 
 } // namespace
 
@@ -78,23 +56,7 @@ Result<Image> CoreGraphics::read(RendererKind renderer, view::Side /*side*/) {
 
 view::PictureHandle CoreGraphics::showTexture(const Texture& texture, const ImageSource& images,
                                               LevelsSource& levels) {
-    const std::optional<LevelsRequest> request = preview_.request(texture, images);
-    if (!request)
-        return view::PictureHandle::None;
-    try {
-        if (previewed_ != request) {
-            if (const std::shared_ptr<const PreparedLevels> made = preparedFor(*request, levels)) {
-                if (*made || made->error().code != ErrorCode::Cancelled)
-                    texture_ = pictureOf(*request, *made);
-                previewed_ = request;
-                if (!isDrawn(request->settings.source))
-                    levels.uploaded(*request, made, {});
-            }
-        }
-        return show(texture_, Use::Enlarged);
-    } catch (const std::bad_alloc&) {
-        return view::PictureHandle::None;
-    }
+    return show(preview_.show(texture, images, levels), Use::Enlarged);
 }
 
 } // namespace texplorer::opengl

@@ -1,10 +1,7 @@
 #pragma once
 
 #include "app/opengl/context_graphics.h"
-#include "app/render/preview_picture.h"
-
-#include <memory>
-#include <optional>
+#include "app/view/plain_preview.h"
 
 namespace texplorer::opengl {
 
@@ -31,9 +28,7 @@ private:
 
     view::Capabilities capabilities_;
     view::OfferedRenderers offered_;
-    render::PreviewPicture preview_;
-    std::optional<LevelsRequest> previewed_; ///< what `texture_` was made of
-    std::shared_ptr<const Image> texture_;   ///< of the preview
+    view::PlainPreview preview_;
 };
 
 } // namespace texplorer::opengl

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/render/live_texture.h"
-#include "app/render/preview_picture.h"
+#include "app/view/preview_picture.h"
 #include "texplorer/scene/scene.h"
 #include "texplorer/texture/image_source.h"
 
@@ -10,8 +10,8 @@
 
 namespace texplorer::render {
 
-/// A PreviewPicture as a texture: internal format as in the scene, nearest filtering, edges clamped. Belongs
-/// to the current context and its thread, and must be destroyed before the context.
+/// A view::PreviewPicture as a texture: internal format as in the scene, nearest filtering, edges clamped.
+/// Belongs to the current context and its thread, and must be destroyed before the context.
 class TexturePreview {
 public:
     /// The name of a 2D texture, valid until the next call; 0 if the image is not available or GL refused it.
@@ -25,7 +25,7 @@ public:
 
 private:
     LiveTexture live_;
-    PreviewPicture picture_;
+    view::PreviewPicture picture_;
 };
 
 } // namespace texplorer::render

@@ -7,7 +7,8 @@ import unittest
 HERE = pathlib.Path(__file__).parent
 ROOT = HERE.parents[1]
 SECONDS = int(sys.argv.pop(1))
-SOURCE = (".cpp", ".h", ".inl", ".c", ".py", ".sh", ".cmake", ".txt", ".glsl", ".vert", ".frag", ".js", ".css", ".html")
+SOURCE = (".cpp", ".h", ".inl", ".c", ".py", ".sh", ".cmake", ".txt", ".glsl", ".vert", ".frag", ".js", ".mjs", ".css",
+          ".html")
 
 
 def lines():

@@ -1,10 +1,10 @@
 // Numbers by hand, from the tables of OpenGL 2.1: 3.6 for the pixel, 3.15 and 3.20 for the internal format.
 
-#include "app/render/rgba_pixels.h"
+#include "app/view/rgba_pixels.h"
 
 #include <gmock/gmock.h>
 
-namespace texplorer::render::rgba_pixels_test {
+namespace texplorer::view::rgba_pixels_test {
 namespace {
 
 using testing::ElementsAre;
@@ -53,4 +53,4 @@ TEST(RgbaPixels, RowsStayInTheirOrder) {
 }
 
 } // namespace
-} // namespace texplorer::render::rgba_pixels_test
+} // namespace texplorer::view::rgba_pixels_test

@@ -109,7 +109,7 @@ TEST(TexturePreview, UnfoldsTheSixFacesOfAFile) {
 TEST(TexturePreview, LeavesTexelsOutOfALargeImage) {
     const auto context = offscreen::Context::create({4, 4}).value();
     ASSERT_TRUE(loadCapabilities().has_value());
-    Image image = Image::uninitialised(PixelFormat::Luminance8, 2 * PreviewPicture::maxTexels + 1, 5);
+    Image image = Image::uninitialised(PixelFormat::Luminance8, 2 * view::PreviewPicture::maxTexels + 1, 5);
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x)
             image.at(x, y)[0] = static_cast<std::byte>(x % 50 + 51 * y);

@@ -1,7 +1,11 @@
 // The window in a host as bare as a browser.
 
+#include "app/stage/messages.h"
+#include "app/stage/spoken.h"
+#include "app/ui/files/address.h"
 #include "app/ui/files/asking.h"
 #include "app/ui/files/lessons.h"
+#include "app/ui/files/scene_files.h"
 #include "app/ui/widgets/widget_places.h"
 #include "tests/stage/bare_host.h"
 #include "tests/stage/no_files.h"
@@ -10,6 +14,7 @@
 #include "texplorer/files/file_io.h"
 #include "texplorer/reference/draw.h"
 #include "texplorer/scene/params/json.h"
+#include "texplorer/scene/storage/scene_link.h"
 
 #include <gmock/gmock.h>
 
@@ -284,6 +289,124 @@ TEST_F(BareHostTest, ALessonIsOpenedAndAnsweredByMouse) {
     EXPECT_TRUE(host.session.settings.lessons.at("first-texture").at(1).done);
     EXPECT_TRUE(places.items.contains("reason"));
     EXPECT_EQ(host.last.wake, std::nullopt);
+}
+
+TEST_F(BareHostTest, AnAddressOpensASceneOrALesson) {
+    const Scene before = scene();
+    ASSERT_TRUE(ui::openAddress(host.session, ""));
+    EXPECT_EQ(scene(), before);
+    Scene other = defaultScene();
+    other.textures.front().wrapS = Wrap::Clamp;
+    ASSERT_TRUE(ui::openAddress(host.session, writeSceneLink(other).value()));
+    host.run({Refresh{}});
+    EXPECT_EQ(texture().wrapS, Wrap::Clamp);
+    ASSERT_TRUE(ui::openAddress(host.session, "lesson=first-texture&step=2"));
+    host.run({Refresh{}});
+    ASSERT_TRUE(host.session.lesson);
+    EXPECT_EQ(host.session.lesson->step, 1U);
+}
+
+TEST_F(BareHostTest, AnAddressThatNamesNothingIsRefused) {
+    const Scene before = scene();
+    for (const auto& [address, said] :
+         {std::pair("texplorer:1:%", "damaged"), std::pair("lesson=first", "first-texture"),
+          std::pair("lesson=wrap&step=0", "from 1"), std::pair("lesson=wrap&step=x", "from 1"),
+          std::pair("step=2", "lesson=NAME"), std::pair("a=b", "lesson=NAME"),
+          std::pair("=&=", "lesson=NAME")}) {
+        const Result<void> opened = ui::openAddress(host.session, address);
+        ASSERT_FALSE(opened) << address;
+        EXPECT_THAT(describe(opened.error()).english(), HasSubstr(said));
+    }
+    EXPECT_EQ(scene(), before);
+    EXPECT_FALSE(host.session.lesson);
+}
+
+TEST_F(BareHostTest, AMessageChangesTheSceneAsAnUndoStep) {
+    EXPECT_EQ(answerMessage(host.session, R"({"texplorer": 1, "id": "a", "do": "set",
+                                              "path": "textures[0].wrapS", "value": "GL_CLAMP"})"),
+              R"({"texplorer":1,"id":"a"})");
+    host.run({Refresh{}});
+    EXPECT_EQ(texture().wrapS, Wrap::Clamp);
+    EXPECT_THAT(answerMessage(host.session, R"({"texplorer": 1, "do": "read"})"),
+                HasSubstr(R"("wrapS":"GL_CLAMP")"));
+    host.run({at("view")});
+    press('Z');
+    EXPECT_EQ(texture().wrapS, Wrap::Repeat);
+    EXPECT_EQ(
+        answerMessage(host.session, R"({"texplorer": 1, "do": "load", "scene": {"view": {"azimuth": 7}}})"),
+        R"({"texplorer":1})");
+    host.run({Refresh{}});
+    EXPECT_EQ(scene().view.azimuth, 7);
+}
+
+TEST_F(BareHostTest, AMessageThatCantBeDoneSaysWhy) {
+    const Scene before = scene();
+    for (const auto& [message, said] :
+         {std::pair("", "JSON object"), std::pair("[]", "JSON object"),
+          std::pair(R"({"do": "read"})", "version"),
+          std::pair(R"({"texplorer": 2, "do": "read"})", "version"),
+          std::pair(R"({"texplorer": 1})", "expected a text"),
+          std::pair(R"({"texplorer": 1, "do": "eat"})", "eat"),
+          std::pair(R"({"texplorer": 1, "do": "set", "path": 1, "value": ""})", "path"),
+          std::pair(R"({"texplorer": 1, "do": "set", "path": "textures[9].wrapS", "value": "GL_CLAMP"})",
+                    "textures"),
+          std::pair(R"({"texplorer": 1, "do": "load"})", "expected a scene"),
+          std::pair(R"({"texplorer": 1, "do": "load", "scene": {"a": 1}})", "a"),
+          std::pair(R"({"texplorer": 1, "do": "open", "address": "lesson=x"})", "expected one of")}) {
+        const std::string answer = answerMessage(host.session, message);
+        EXPECT_THAT(answer, HasSubstr(R"("error":")")) << message;
+        EXPECT_THAT(answer, HasSubstr(said)) << message;
+    }
+    const std::string deep = R"({"texplorer": 1, "do": "load", "scene": )" + std::string(1000000, '[');
+    EXPECT_THAT(answerMessage(host.session, deep + std::string(1000000, ']') + "}"), HasSubstr("32 levels"));
+    host.run({Refresh{}});
+    EXPECT_EQ(scene(), before);
+}
+
+TEST_F(BareHostTest, WhatHappensInALessonIsAnEvent) {
+    LessonEvents events;
+    EXPECT_EQ(events.take(host.session), "");
+    ASSERT_TRUE(ui::openAddress(host.session, "lesson=first-texture&step=2"));
+    host.run({Refresh{}});
+    EXPECT_THAT(events.take(host.session),
+                HasSubstr(R"("event":"lesson","lesson":"first-texture","step":2)"));
+    EXPECT_EQ(events.take(host.session), "") << "nothing has changed";
+    ui::answerQuestion(host.session, 2);
+    host.run({Refresh{}});
+    EXPECT_THAT(events.take(host.session), HasSubstr(R"("done":true,"stepsDone":1,"answer":3)"));
+}
+
+TEST_F(BareHostTest, ThePageIsPartOfALink) {
+    host.session.window.page = "https://example.org/";
+    host.run({FilesGiven{{named("red.bmp", red)}}});
+    const std::string link = ui::sceneLink(host.session).value();
+    EXPECT_THAT(link, testing::StartsWith("https://example.org/#texplorer:1:"));
+    EXPECT_EQ(parseSceneLink(link).value().textures.front().file, "red.bmp");
+}
+
+TEST_F(BareHostTest, WhatTheWindowShowsIsSaid) {
+    EXPECT_EQ(spokenBy(host.session).language, "en");
+    EXPECT_EQ(spokenBy(host.session).step, std::nullopt);
+    host.run({at("textures[0].wrapS=GL_CLAMP")});
+    EXPECT_EQ(spokenBy(host.session).row, "Wrap s: GL_REPEAT");
+    host.run({FilesGiven{{named("b.txt", "no image")}}});
+    EXPECT_THAT(spokenBy(host.session).status, HasSubstr("b.txt"));
+    ui::askLesson(host.session, "first-texture");
+    host.run({Refresh{}});
+    ui::goToLessonStep(host.session, 1);
+    host.run({Refresh{}});
+    const SpokenStep asked = spokenBy(host.session).step.value();
+    EXPECT_EQ(asked.step, 1U);
+    EXPECT_THAT(asked.answers, SizeIs(Gt(2U)));
+    EXPECT_EQ(asked.chosen, std::nullopt);
+    EXPECT_EQ(asked.verdict, "");
+    ui::answerQuestion(host.session, 0);
+    host.run({Refresh{}});
+    EXPECT_EQ(spokenBy(host.session).step->chosen, 0U);
+    EXPECT_THAT(spokenBy(host.session).step->verdict, HasSubstr("Not this one"));
+    ui::answerQuestion(host.session, 2);
+    host.run({Refresh{}});
+    EXPECT_EQ(spokenBy(host.session).step->verdict, host.session.lesson->reason());
 }
 
 TEST_F(BareHostTest, TheWindowKeepsItsOwnClipboard) {

@@ -196,7 +196,7 @@ void hexView(FileTabState& state, const FieldMap& map, std::optional<std::size_t
     const std::size_t rows = (file.bytes.size() + line.perLine - 1) / line.perLine;
     if (state.revealInBytes) {
         const Field& field = file.anatomy.fields[*state.revealInBytes];
-        const std::size_t row = field.offset / line.perLine;
+        const std::uint64_t row = field.offset / line.perLine;
         ImGui::SetScrollY(std::max(0.0F, (static_cast<float>(row) - 1) * ImGui::GetTextLineHeight()));
         state.revealInBytes.reset();
     }

@@ -36,9 +36,10 @@ void finishPending(Session& session) {
         session.asking.quitConfirmed = true;
 }
 
-void askLesson(Session& session, std::string nameOrFolder) {
-    askAboutChanges(session,
-                    [name = std::move(nameOrFolder)](Session& s) { report(s, openLessonNamed(s, name)); });
+void askLesson(Session& session, std::string nameOrFolder, std::optional<std::size_t> step) {
+    askAboutChanges(session, [name = std::move(nameOrFolder), step](Session& s) {
+        report(s, openLessonNamed(s, name, step));
+    });
 }
 
 void askOpenScene(Session& session) {

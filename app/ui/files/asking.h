@@ -19,7 +19,7 @@ void askOpenScene(Session& session);
 void askOpenImage(Session& session, std::string param = {});
 void askNewScene(Session& session);
 void askExample(Session& session, std::string_view file); ///< see examples.h
-void askLesson(Session& session, std::string nameOrFolder);
+void askLesson(Session& session, std::string nameOrFolder, std::optional<std::size_t> step = {});
 void askSaveAnswers(Session& session); ///< the results of all lessons, as a file
 void save(Session& session);           ///< asks for a name if the document has no file
 /// Saves, asks first if another program has written the file meanwhile, and then continues with the pending

@@ -247,9 +247,14 @@ Result<std::string> sceneLink(const Session& session) {
     Scene scene = session.document.scene;
     renameFiles(scene,
                 [&](const std::string& file) { // there is no folder that file names could be relative to
+                    if (session.document.images.fileInMemory(file))
+                        return file;
                     return absolutePath(session.document.images.directory() / file).generic_string();
                 });
-    return writeSceneLink(scene);
+    Result<std::string> link = writeSceneLink(scene);
+    if (link && !session.window.page.empty())
+        link->insert(0, session.window.page + '#');
+    return link;
 }
 
 Result<void> openSceneLink(Session& session, std::string_view link) {

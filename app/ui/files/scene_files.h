@@ -50,7 +50,7 @@ void showLoadedScene(Session& session, Load load);
 /// Opens a scene or an image, depending on its content.
 [[nodiscard]] Result<void> openFile(Session& session, const std::filesystem::path& path);
 
-/// The current scene as a text to send.
+/// The current scene as a text to send: an address if the window is shown by a page.
 [[nodiscard]] Result<std::string> sceneLink(const Session& session);
 
 /// Shows the scene of such a text; asks first if there are unsaved changes. Missing images are left out and

@@ -3,6 +3,7 @@
 #include "texplorer/base/translatable.h"
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -16,20 +17,20 @@ struct LanguageRow {
     std::string_view name; ///< its catalogue without ".po"; its name in the settings file and for --language
     const char* label;     ///< in letters of the default font
     /// The index of gettext's plural form for a number.
-    std::size_t (*form)(unsigned long number);
+    std::size_t (*form)(std::uint64_t number);
     std::string_view thousands = ","; ///< what separates groups of three digits
 };
 
 namespace plural {
-constexpr std::size_t one(unsigned long) {
+constexpr std::size_t one(std::uint64_t) {
     return 0;
 }
-constexpr std::size_t oneAndMore(unsigned long number) {
+constexpr std::size_t oneAndMore(std::uint64_t number) {
     return number == 1 ? 0 : 1;
 }
 /// 1, 21, 31 …; 2 to 4, 22 to 24 …; the others.
-constexpr std::size_t slavic(unsigned long number) {
-    const unsigned long last = number % 10;
+constexpr std::size_t slavic(std::uint64_t number) {
+    const std::uint64_t last = number % 10;
     const bool isTeen = number % 100 >= 11 && number % 100 <= 14;
     if (last == 1 && !isTeen)
         return 0;

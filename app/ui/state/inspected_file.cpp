@@ -18,8 +18,8 @@ FieldMap::FieldMap(const Anatomy& anatomy) {
     starts_[0] = std::nullopt;
     for (const std::size_t index : order) {
         const Field& field = fields[index];
-        const std::size_t begin = field.offset;
-        const std::size_t end = begin + std::min(field.size, SIZE_MAX - begin);
+        const std::uint64_t begin = field.offset;
+        const std::uint64_t end = begin + std::min<std::uint64_t>(field.size, UINT64_MAX - begin);
         if (begin == end)
             continue;
         const auto after = std::prev(starts_.upper_bound(end))->second; // what goes on behind it
@@ -29,7 +29,7 @@ FieldMap::FieldMap(const Anatomy& anatomy) {
     }
 }
 
-std::optional<std::size_t> FieldMap::at(std::size_t offset) const {
+std::optional<std::size_t> FieldMap::at(std::uint64_t offset) const {
     const auto next = starts_.upper_bound(offset);
     return next == starts_.begin() ? std::nullopt : std::prev(next)->second;
 }

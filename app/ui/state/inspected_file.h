@@ -5,6 +5,7 @@
 #include "texplorer/texture/image_loader.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -19,10 +20,10 @@ public:
     explicit FieldMap(const Anatomy& anatomy);
 
     /// An index into Anatomy::fields; nothing if no field covers the byte.
-    [[nodiscard]] std::optional<std::size_t> at(std::size_t offset) const;
+    [[nodiscard]] std::optional<std::size_t> at(std::uint64_t offset) const;
 
 private:
-    std::map<std::size_t, std::optional<std::size_t>> starts_; ///< the field that starts here
+    std::map<std::uint64_t, std::optional<std::size_t>> starts_; ///< the field that starts here
 };
 
 /// The file in the tab "File", as it is read.

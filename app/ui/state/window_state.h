@@ -17,8 +17,9 @@ enum class Capture { View, Window };
 /// own struct.
 struct WindowState {
     Language systemLanguage = Language::English; ///< the language of the system
-    bool showsFrameTime = true;                  ///< false for reproducible pictures of the window
-    bool showRq = false;                         ///< whether the vertex list shows r and q
+    std::string page; ///< the address of the page that shows the window, without #; empty: there is none
+    bool showsFrameTime = true; ///< false for reproducible pictures of the window
+    bool showRq = false;        ///< whether the vertex list shows r and q
     bool allCalls = false;    ///< programs also set OpenGL's initial values: when listed, copied and exported
     bool fillsScreen = false; ///< the host shows the window in full screen
     bool spotlight = false;   ///< everything except a disc around the pointer is dimmed

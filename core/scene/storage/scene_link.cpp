@@ -3,6 +3,7 @@
 #include "texplorer/scene/params/json.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iterator>
 #include <libdeflate.h>
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::string_view scheme = "texplorer:";
 constexpr std::string_view version = "1:";
+constexpr std::array<std::string_view, 3> pages{"http://", "https://", "file://"};
 constexpr int compressionLevel = 12; // of libdeflate: the text is short, and is to stay so
 constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
@@ -22,6 +24,15 @@ using Decompressor = std::unique_ptr<libdeflate_decompressor, decltype(&libdefla
 
 bool isLinkSpace(char letter) {
     return letter == ' ' || letter == '\t' || letter == '\r' || letter == '\n';
+}
+
+/// The part of an address after its #; anything else as it is, without white space at its beginning.
+std::string_view withoutAddress(std::string_view text) {
+    text.remove_prefix(static_cast<std::size_t>(std::ranges::find_if_not(text, isLinkSpace) - text.begin()));
+    const bool isAddress = std::ranges::any_of(
+        pages, [text](std::string_view beginning) { return text.starts_with(beginning); });
+    const std::size_t mark = isAddress ? text.find('#') : std::string_view::npos;
+    return mark == std::string_view::npos ? text : text.substr(mark + 1);
 }
 
 /// Three bytes are four letters of six bits each:
@@ -91,8 +102,7 @@ Result<std::string> unpack(std::string_view packed) {
 } // namespace
 
 bool isSceneLink(std::string_view text) {
-    const auto begin = std::ranges::find_if_not(text, isLinkSpace);
-    return std::string_view(begin, text.end()).starts_with(scheme);
+    return withoutAddress(text).starts_with(scheme);
 }
 
 Result<std::string> writeSceneLink(const Scene& scene) {
@@ -117,7 +127,8 @@ Result<Scene> parseSceneLink(std::string_view text) {
         return fail(ErrorCode::TooLarge,
                     Sentence("the link has {0} letters, at most {1} are read", text.size(), maxLinkBytes));
     std::string dense;
-    std::ranges::copy_if(text, std::back_inserter(dense), [](char each) { return !isLinkSpace(each); });
+    std::ranges::copy_if(withoutAddress(text), std::back_inserter(dense),
+                         [](char each) { return !isLinkSpace(each); });
     std::string_view rest = dense;
     if (!rest.starts_with(scheme))
         return fail(ErrorCode::Malformed,

@@ -39,7 +39,7 @@ TEST(LanguageOfEnvironment, FollowsGettextsOrder) {
 }
 
 TEST(Plural, TakesTheFormOfEachNumber) {
-    const auto form = [](Language language, unsigned long number) { return rowOf(language).form(number); };
+    const auto form = [](Language language, std::uint64_t number) { return rowOf(language).form(number); };
     for (const auto& [number, russian] :
          {std::tuple(0UL, 2U), std::tuple(1UL, 0U), std::tuple(2UL, 1U), std::tuple(4UL, 1U),
           std::tuple(5UL, 2U), std::tuple(11UL, 2U), std::tuple(12UL, 2U), std::tuple(14UL, 2U),

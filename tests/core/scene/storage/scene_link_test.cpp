@@ -70,6 +70,18 @@ TEST(SceneLink, MayBeBrokenIntoLines) {
     EXPECT_FALSE(isSceneLink(""));
 }
 
+TEST(SceneLink, MayBeTheAddressOfAPage) {
+    const std::string link = writeSceneLink(unusual()).value();
+    for (const std::string page :
+         {"https://example.org/texplorer/", "http://localhost:8000/?a=b", "file:///a.html"}) {
+        EXPECT_TRUE(isSceneLink(page + '#' + link)) << page;
+        EXPECT_EQ(parseSceneLink(" " + page + '#' + link).value(), unusual()) << page;
+        EXPECT_FALSE(isSceneLink(page)) << page;
+        EXPECT_FALSE(isSceneLink(page + "#lesson=wrap")) << page;
+    }
+    EXPECT_FALSE(isSceneLink("a#" + link)) << "no address";
+}
+
 struct Hostile {
     const char* name;
     std::string text;

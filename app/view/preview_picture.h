@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-namespace texplorer::render {
+namespace texplorer::view {
 
 /// The picture of a texture in a panel: its base level with its transparency and the bits of its internal
 /// format as in the scene, but not compressed again; sRGB numbers as stored, so that it looks like the file;
@@ -26,4 +26,4 @@ private:
     std::shared_ptr<const TextureImage> shown_;
 };
 
-} // namespace texplorer::render
+} // namespace texplorer::view

@@ -1,11 +1,11 @@
-#include "app/render/rgba_pixels.h"
+#include "app/view/rgba_pixels.h"
 
 #include "texplorer/reference/sampling/sampled_texture.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace texplorer::render {
+namespace texplorer::view {
 
 Image asRgba8(const Image& image, BaseFormat format) {
     Image pixels = Image::uninitialised(PixelFormat::Rgba8, image.width, image.height);
@@ -21,4 +21,4 @@ Image asRgba8(const Image& image, BaseFormat format) {
     return pixels;
 }
 
-} // namespace texplorer::render
+} // namespace texplorer::view

@@ -1,4 +1,4 @@
-#include "app/render/preview_picture.h"
+#include "app/view/preview_picture.h"
 
 #include "texplorer/image/cube_faces.h"
 #include "texplorer/s3tc/surface_pixels.h"
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace texplorer::render {
+namespace texplorer::view {
 
 namespace {
 
@@ -88,4 +88,4 @@ std::optional<LevelsRequest> PreviewPicture::request(const Texture& texture, con
     return LevelsRequest{std::move(pictures), baseSettings(texture), Target::Texture2D};
 }
 
-} // namespace texplorer::render
+} // namespace texplorer::view

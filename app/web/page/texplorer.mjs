@@ -1,0 +1,283 @@
+// Opens the window in the page: loads the program and its fonts, passes events to it, and draws when a frame is due.
+
+import * as embedding from './embedding.mjs';
+import { download, Files } from './files.mjs';
+import { listen } from './input.mjs';
+import { Panels } from './panels.mjs';
+import { show } from './spoken.mjs';
+import { Storage } from './storage.mjs';
+import { ConsoleStdout, WASI } from './wasi/index.js';
+
+const canvas = document.querySelector('canvas');
+const field = document.querySelector('#field');
+const message = document.querySelector('#message');
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
+
+// ImGuiMouseCursor, in its order.
+const CURSORS = ['default', 'text', 'move', 'ns-resize', 'ew-resize', 'nesw-resize', 'nwse-resize', 'pointer', 'not-allowed'];
+
+let exports = null;
+let panels = null;
+let redraw = () => {};
+let post = embedding.post;
+const bytes = () => new Uint8Array(exports.memory.buffer);
+
+function stop(reason) {
+    exports = null;
+    message.textContent = reason;
+    message.hidden = false;
+    canvas.classList.add('stopped');
+}
+
+// Calls a function of the program. What it throws ends the program: the page says so.
+function call(name, ...values) {
+    if (!exports)
+        return undefined;
+    try {
+        return exports[name](...values);
+    } catch (error) {
+        console.error(error);
+        stop(`Texplorer has stopped (${error.message || error}). Unsaved work is kept and offered when you reload the page.`);
+        return undefined;
+    }
+}
+
+// Memory of the program that a call takes over: its address and length.
+function lend(content) {
+    const taken = typeof content === 'string' ? encoder.encode(content) : content;
+    const at = call('allocate', taken.length);
+    if (!at) {
+        if (exports)
+            stop('Texplorer has stopped: there is not enough memory. Unsaved work is kept and offered when you reload the page.');
+        return [0, 0];
+    }
+    bytes().set(taken, at);
+    return [at, taken.length];
+}
+
+const textAt = (at, length) => decoder.decode(bytes().slice(at, at + length));
+
+// What the program calls (browser.h).
+function browserFor(files) {
+    const browser = {
+        chooseFiles: () => files.choose(),
+        saveFile: (name, nameLength, at, length) => download(textAt(name, nameLength), bytes().slice(at, at + length)),
+        writeClipboard: (at, length) => {
+            const written = navigator.clipboard?.writeText(textAt(at, length)) ?? Promise.reject(new Error('no clipboard'));
+            written.catch(() => { call('clipboardRefused'); redraw(); });
+        },
+        speak: (at, length) => show(JSON.parse(textAt(at, length)), {
+            answer: (number) => { call('answer', number); redraw(); },
+            goToStep: (step) => { call('goToStep', step); redraw(); },
+        }),
+        postMessage: (at, length) => post(textAt(at, length)),
+        setTitle: (at, length) => { document.title = textAt(at, length); },
+        setCursor: (shape) => { canvas.style.cursor = shape < 0 ? 'none' : CURSORS[shape] ?? 'default'; },
+        setFullScreen: (fills) => {
+            const change = fills ? document.documentElement.requestFullscreen?.() : document.exitFullscreen?.();
+            if (change)
+                change.catch(() => call('fullScreenChanged', Boolean(document.fullscreenElement)));
+            else
+                queueMicrotask(() => call('fullScreenChanged', false)); // the browser has no full screen
+        },
+        setTyping: (typing) => {
+            if (field.hidden !== !typing) {
+                field.hidden = !typing;
+                if ([canvas, field, document.body].includes(document.activeElement))
+                    (typing ? field : canvas).focus({ preventScroll: true });
+            }
+        },
+    };
+    for (const name of ['makeTexture', 'dropTexture', 'beginPanels', 'panelList', 'panelTriangles', 'setBlending', 'readPanels'])
+        browser[name] = (...values) => panels[name](...values);
+    return browser;
+}
+
+async function fetched(path) {
+    const response = await fetch(path);
+    if (!response.ok)
+        throw new Error(`${path} can't be loaded (${response.status}).`);
+    return response;
+}
+
+async function compiled(path) {
+    const response = await fetched(path);
+    if (response.headers.get('Content-Type') === 'application/wasm')
+        return WebAssembly.compileStreaming(response);
+    return WebAssembly.compile(await response.arrayBuffer());
+}
+
+const surface = () => {
+    const density = window.devicePixelRatio || 1;
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+    return [width, height, Math.round(width * density), Math.round(height * density), density,
+        document.visibilityState === 'visible' ? 1 : 0];
+};
+
+const fonts = {
+    'DejaVuSans.ttf': '/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf',
+    'DejaVuSansMono.ttf': '/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf',
+    'Chinese.ttf': '/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf',
+};
+
+async function load(storage, files) {
+    const [module, ...read] = await Promise.all([compiled('texplorer.wasm'),
+        ...Object.keys(fonts).map((name) => fetched(`fonts/${name}`).then((response) => response.arrayBuffer())),
+        storage.open()]);
+    Object.values(fonts).forEach((path, i) => storage.write(path, new Uint8Array(read[i])));
+    const log = ConsoleStdout.lineBuffered((line) => console.warn(line));
+    const environment = ['HOME=/home', 'XDG_STATE_HOME=/home/state', 'XDG_CONFIG_HOME=/home/config',
+        `LANG=${navigator.language.replace('-', '_')}.UTF-8`];
+    const wasi = new WASI([], environment, [log, log, log, storage.root], { debug: false });
+    const instance = await WebAssembly.instantiate(module,
+        { wasi_snapshot_preview1: wasi.wasiImport, browser: browserFor(files) });
+    exports = instance.exports;
+    wasi.initialize(instance);
+}
+
+async function open() {
+    let trouble = null; // why nothing can be kept, until the program can be told
+    const storage = new Storage((error) => {
+        trouble = String(error?.message ?? error);
+        if (exports)
+            tell();
+    });
+    const tell = () => {
+        if (trouble !== null)
+            call('storageFailed', ...lend(trouble));
+        trouble = null;
+        changed();
+    };
+    const give = (given, answers) => {
+        for (const { name, bytes: content } of given) {
+            const at = call('allocate', content.length);
+            if (at) {
+                bytes().set(content, at);
+                call('addFile', ...lend(name), at, content.length);
+            } else {
+                call('fileRefused', ...lend(name));
+            }
+        }
+        call('filesGiven', answers);
+        changed();
+    };
+    const files = new Files(give, (name) => {
+        call('fileRefused', ...lend(name));
+        changed();
+    });
+
+    let timer = 0;
+    let due = 0; // the animation frame that draws next; 0: none
+    function draw() {
+        cancelAnimationFrame(due);
+        clearTimeout(timer);
+        due = 0;
+        const wait = call('step');
+        if (wait === undefined)
+            return;
+        for (const file of storage.takeDownloads())
+            download(file.name, file.bytes);
+        storage.keep();
+        if (wait < 0)
+            return;
+        if (wait < 0.015)
+            changed();
+        else
+            timer = setTimeout(changed, wait * 1000);
+    }
+    function changed() {
+        if (due !== 0 || !exports)
+            return;
+        clearTimeout(timer);
+        if (document.visibilityState === 'visible')
+            due = requestAnimationFrame(draw);
+        else
+            timer = setTimeout(draw, 100); // a hidden page has no animation frames
+    }
+
+    redraw = changed;
+    await load(storage, files);
+    panels = new Panels(canvas, bytes);
+    call('start', ...surface().slice(0, 5), ...lend(location.href.replace(/#.*/, '')));
+    call('openAddress', ...lend(location.hash.slice(1)));
+    if (!exports)
+        return;
+
+    const program = new Proxy({}, { get: (_, name) => (...values) => call(name, ...values) });
+    listen(canvas, field, { ...events(program), clipboardChanged: (text) => program.clipboardChanged(...lend(text)) }, changed,
+        (count) => { for (let i = 0; i < count; ++i) draw(); });
+    const resized = () => {
+        call('surfaceChanged', ...surface());
+        changed();
+    };
+    new ResizeObserver(resized).observe(canvas);
+    const watchDensity = () => window.matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`).addEventListener('change', () => {
+        resized();
+        watchDensity();
+    }, { once: true });
+    watchDensity();
+    const leave = () => { // a browser may end a page that it does not show
+        draw();
+        call('store');
+        storage.keep();
+    };
+    document.addEventListener('visibilitychange', () => {
+        if (document.visibilityState !== 'visible')
+            leave();
+        resized();
+    });
+    window.addEventListener('pagehide', leave);
+    document.addEventListener('fullscreenchange', () => {
+        call('fullScreenChanged', Boolean(document.fullscreenElement));
+        changed();
+    });
+    window.addEventListener('hashchange', () => {
+        call('openAddress', ...lend(location.hash.slice(1)));
+        changed();
+    });
+    canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
+    canvas.addEventListener('webglcontextrestored', () => {
+        panels.restore();
+        call('contextRestored');
+        changed();
+    });
+    await embedding.listen((message) => {
+        call('receive', ...lend(message));
+        changed();
+    });
+    globalThis.texplorer = { // for scripts in this page, and for tests
+        // The answer to a message (app/stage/messages.h).
+        send: (message) => {
+            let answer = null;
+            post = (json) => { answer = JSON.parse(json); };
+            call('receive', ...lend(JSON.stringify(message)));
+            post = embedding.post;
+            changed();
+            return answer;
+        },
+        // The left, top, right and bottom of a widget that is seen, or null.
+        place: (name) => {
+            const edges = [0, 1, 2, 3].map((edge) => call('placeOf', ...lend(name), edge));
+            changed();
+            return edges[0] < 0 ? null : edges;
+        },
+    };
+    tell();
+    if (!exports)
+        return;
+    message.hidden = true;
+    canvas.focus();
+    document.documentElement.dataset.state = 'ready';
+    navigator.serviceWorker?.register('worker.js').catch((error) => console.warn(error));
+}
+
+function events(program) {
+    const names = ['pointerMoved', 'pointerLeft', 'buttonChanged', 'wheelTurned', 'keyChanged', 'textEntered', 'focusChanged', 'scrolls'];
+    return Object.fromEntries(names.map((name) => [name, program[name]]));
+}
+
+open().catch((error) => {
+    console.error(error);
+    stop(`Texplorer can't start: ${error.message || error}`);
+});

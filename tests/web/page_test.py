@@ -1,0 +1,337 @@
+#!/usr/bin/env python3
+"""page_test.py PAGE [CASE…]: the page in Chromium, from a server that knows nothing but files."""
+
+import functools
+import http.server
+import io
+import pathlib
+import sys
+import tempfile
+import threading
+import unittest
+
+from PIL import Image
+
+from browser import Browser
+
+PAGE = pathlib.Path()
+MOUSE = 0
+
+
+class Server(http.server.ThreadingHTTPServer):
+    """Serves the page, and counts what is asked for."""
+
+    def __init__(self):
+        self.paths = []
+        server = self
+
+        class Handler(http.server.SimpleHTTPRequestHandler):
+            def log_message(self, *_):
+                server.paths.append(self.path)
+
+        super().__init__(("localhost", 0), functools.partial(Handler, directory=str(PAGE)))
+        threading.Thread(target=self.serve_forever, daemon=True).start()
+
+    @property
+    def address(self):
+        return f"http://localhost:{self.server_port}/"
+
+
+browser = None  # one for all; each test has an address, and with it a storage, of its own
+downloads = pathlib.Path()
+
+
+def setUpModule():
+    global browser, downloads
+    folder = tempfile.TemporaryDirectory()
+    unittest.addModuleCleanup(folder.cleanup)
+    downloads = pathlib.Path(folder.name)
+    browser = Browser(downloads)
+    unittest.addModuleCleanup(browser.quit)
+
+
+class PageTest(unittest.TestCase):
+    tour_is_over = False
+
+    def setUp(self):
+        self.server = Server()
+        self.addCleanup(self.server.server_close)
+        self.addCleanup(self.server.shutdown)
+        self.browser = browser
+        self.downloads = downloads
+        self.browser.size(1280, 800)
+        self.addCleanup(self.browser.driver.get, "about:blank")
+
+    def open(self, fragment=""):
+        self.browser.driver.get("about:blank")
+        self.browser.driver.get(self.server.address + fragment)
+        self.ready()
+        if not self.tour_is_over:
+            self.click("tour:Skip")
+            self.until(lambda: self.browser.script("return texplorer.place('tour:Skip')") is None)
+            self.tour_is_over = True
+
+    def ready(self):
+        self.browser.wait(lambda: self.browser.script("return document.documentElement.dataset.state") == "ready",
+                          "the window")
+
+    def place(self, name):
+        return self.browser.wait(lambda: self.browser.script("return texplorer.place(arguments[0])", name), name)
+
+    def middle(self, name):
+        left, top, right, bottom = self.place(name)
+        return (left + right) / 2, (top + bottom) / 2
+
+    def mouse(self, kind, x, y, button="left", buttons=0):
+        self.browser.tool("Input.dispatchMouseEvent", type=kind, x=x, y=y, button=button, buttons=buttons, clickCount=1)
+
+    def click(self, name):
+        x, y = self.middle(name)
+        self.mouse("mouseMoved", x, y, "none")
+        self.mouse("mousePressed", x, y, buttons=1)
+        self.mouse("mouseReleased", x, y)
+
+    def spoken(self, selector):
+        return self.browser.script("return document.querySelector(arguments[0]).textContent", selector)
+
+    def send(self, **message):
+        return self.browser.script("return texplorer.send(arguments[0])", {"texplorer": 1, **message})
+
+    def parameter(self, path):
+        value = self.send(do="read")["scene"]
+        for name in path.replace("]", "").replace("[", ".").split("."):
+            value = value[int(name) if name.isdigit() else name]
+        return value
+
+    def until(self, condition):
+        return self.browser.wait(condition, self.id())
+
+    def key(self, key, code, control=False):
+        held = 2 if control else 0
+        for kind in ("rawKeyDown", "keyUp"):
+            self.browser.tool("Input.dispatchKeyEvent", type=kind, key=key, code=code, modifiers=held)
+
+    def tap(self, name):
+        """The browser makes both of its events: a slow machine does not make a long press of it."""
+        x, y = self.middle(name)
+        self.browser.tool("Input.synthesizeTapGesture", x=x, y=y, gestureSourceType="touch")
+
+    def fingers(self, *moments):
+        """Each moment has the places of all fingers."""
+        for i, places in enumerate(moments):
+            points = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(places)]
+            self.browser.tool("Input.dispatchTouchEvent", type="touchMove" if i else "touchStart", touchPoints=points)
+        self.browser.tool("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+
+    def picture(self):
+        return Image.open(io.BytesIO(self.browser.driver.get_screenshot_as_png())).convert("RGB")
+
+    def downloaded(self, pattern):
+        def whole():
+            return [path for path in self.downloads.glob(pattern) if path.suffix != ".crdownload"]
+        return self.browser.wait(whole, pattern)[0]
+
+
+class Opening(PageTest):
+    def test_the_window_is_drawn_and_nothing_is_complained_of(self):
+        self.open()
+        self.assertGreater(len(set(self.picture().getdata())), 1000)
+        ours = [each for each in self.browser.complaints() if "GL Driver Message" not in each]
+        self.assertEqual(ours, [])
+
+    def test_only_files_of_its_own_are_asked_for(self):
+        self.open()
+        hosts = self.browser.script("return performance.getEntriesByType('resource').map((each) => new URL(each.name).host)")
+        self.assertEqual(set(hosts), {self.server.address.split("/")[2]})
+
+
+class Input(PageTest):
+    def test_a_choice_is_clicked_and_undone(self):
+        self.open()
+        before = self.picture()
+        self.click("textures[0].wrapS=GL_CLAMP_TO_EDGE")
+        self.until(lambda: self.parameter("textures[0].wrapS") == "GL_CLAMP_TO_EDGE")
+        self.until(lambda: self.picture() != before)
+        self.key("z", "KeyZ", control=True)
+        self.until(lambda: self.parameter("textures[0].wrapS") == "GL_REPEAT")
+
+    def test_a_finger_presses_what_it_touches_first(self):
+        """Without a mouse before it: the position must arrive before the press."""
+        self.open()
+        self.tap("textures[0].wrapS=GL_CLAMP_TO_EDGE")
+        self.until(lambda: self.parameter("textures[0].wrapS") == "GL_CLAMP_TO_EDGE")
+        self.tap("textures[0].wrapS=GL_REPEAT")
+        self.until(lambda: self.parameter("textures[0].wrapS") == "GL_REPEAT")
+
+    def test_one_finger_orbits_and_two_zoom(self):
+        self.open()
+        x, y = self.middle("view")
+        azimuth, distance = self.parameter("view.azimuth"), self.parameter("view.distance")
+        self.browser.tool("Input.synthesizeScrollGesture", x=x, y=y, xDistance=60, gestureSourceType="touch")
+        self.until(lambda: self.parameter("view.azimuth") != azimuth)
+        self.assertEqual(self.parameter("view.distance"), distance)
+        self.fingers(*[[(x - gap, y), (x + gap, y)] for gap in (40, 50, 60, 80)])
+        self.until(lambda: float(self.parameter("view.distance")) < float(distance))
+
+    def test_a_long_press_explains_the_pixel(self):
+        self.open()
+        x, y = self.middle("view")
+        self.browser.tool("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x, "y": y}])
+        self.place("explained pixel")
+        self.browser.tool("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+
+    def test_two_fingers_scroll_a_list(self):
+        self.browser.size(1000, 480)
+        self.open("#layout=teacher")
+        before = self.place("textures[0].wrapS")
+        x, y = self.middle("textures[0].wrapS")
+        self.fingers(*[[(x - 20, y - move), (x + 20, y - move)] for move in (0, 20, 40, 80, 120)])
+        self.until(lambda: self.browser.script("return texplorer.place('textures[0].wrapS')") != before)
+        self.assertEqual(self.parameter("textures[0].wrapS"), "GL_REPEAT")
+
+    def test_the_wheel_stays_in_the_page(self):
+        self.open()
+        x, y = self.middle("view")
+        distance = self.parameter("view.distance")
+        self.browser.point(x, y, wheel=-300)
+        self.until(lambda: float(self.parameter("view.distance")) < float(distance))
+        self.assertEqual(self.browser.script("return [scrollX, scrollY, visualViewport.scale]"), [0, 0, 1])
+
+    def test_text_is_typed_pasted_and_copied(self):
+        self.open()
+        self.key("f", "KeyF", control=True)
+        self.until(lambda: self.browser.script("return document.activeElement.id") == "field")
+        self.browser.keys("aniso")
+        self.until(lambda: any(self.browser.script("return texplorer.place(`found:${arguments[0]}`)", i) for i in range(1, 40)))
+
+
+class Files(PageTest):
+    # A BMP file of one red pixel: 54 bytes of headers (MSDN, BITMAPINFOHEADER), blue, green, red and a byte of padding.
+    RED = (b"BM" + (58).to_bytes(4, "little") + bytes(4) + (54).to_bytes(4, "little") + (40).to_bytes(4, "little")
+           + (1).to_bytes(4, "little") * 2 + b"\1\0\x18\0" + bytes(24) + b"\0\0\xff\0")
+
+    def drop(self, **files):
+        self.browser.script("""
+            const transfer = new DataTransfer();
+            for (const [name, bytes] of Object.entries(arguments[0]))
+                transfer.items.add(new File([new Uint8Array(bytes)], name));
+            document.querySelector('canvas').dispatchEvent(
+                new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true }));
+            """, {name: list(content) for name, content in files.items()})
+
+    def test_a_dropped_image_becomes_the_texture(self):
+        self.open()
+        self.drop(**{"red.bmp": self.RED})
+        self.until(lambda: self.parameter("textures[0].file") == "red.bmp")
+        self.drop(**{"broken.bmp": b"BM no image"})
+        self.until(lambda: "broken.bmp" in self.spoken("#status"))
+
+    def test_a_picture_is_downloaded(self):
+        self.open()
+        self.click("menu:File")
+        self.click("menu:Picture of the view")
+        picture = Image.open(self.downloaded("texplorer-*.png"))
+        self.assertGreater(picture.width, 100)
+        self.assertGreater(len(set(picture.convert("RGB").getdata())), 100)
+
+    def test_a_link_leads_back_to_the_scene(self):
+        self.open()
+        self.send(do="set", path="textures[0].wrapS", value="GL_CLAMP")
+        self.until(lambda: self.parameter("textures[0].wrapS") == "GL_CLAMP")
+        self.browser.script("navigator.clipboard.writeText = (text) => { window.copied = text; return Promise.resolve(); }")
+        self.click("menu:File")
+        self.click("menu:Copy link to this scene")
+        link = self.until(lambda: self.browser.script("return window.copied"))
+        self.assertTrue(link.startswith(self.server.address + "#texplorer:1:"), link[:60])
+        self.open()
+        self.assertEqual(self.parameter("textures[0].wrapS"), "GL_REPEAT")
+        self.browser.script("location.hash = arguments[0]", link.split("#")[1])
+        self.until(lambda: self.parameter("textures[0].wrapS") == "GL_CLAMP")
+
+    def test_a_damaged_link_is_a_message(self):
+        self.open("#texplorer:1:AAAA")
+        self.until(lambda: "damaged" in self.spoken("#status"))
+
+
+class Lessons(PageTest):
+    def test_a_lesson_is_answered_without_the_canvas(self):
+        """As a screen reader does it: by the page's own controls."""
+        self.open("#lesson=first-texture&step=2")
+        self.until(lambda: len(self.browser.all("#lesson ol button")) > 2)
+        self.assertTrue(self.browser.script("return document.querySelector('#lesson .text').textContent"))
+        self.browser.script("document.querySelectorAll('#lesson ol button')[2].click()")
+        self.until(lambda: self.spoken("#lesson .verdict"))
+        done = next(each for each in self.send(do="read")["answers"] if each["lesson"] == "first-texture")
+        self.assertTrue(done["steps"][1]["done"])
+
+    def test_an_unknown_lesson_is_a_message(self):
+        self.open("#lesson=first")
+        self.until(lambda: "first-texture" in self.spoken("#status"))
+
+
+class Storage(PageTest):
+    def reopen(self):
+        self.browser.driver.get("about:blank")  # the lock of the page ends
+        self.browser.driver.get(self.server.address)
+        self.ready()
+
+    def test_settings_are_kept(self):
+        self.open()
+        self.stored("settings.json")
+        self.reopen()
+        self.browser.wait(lambda: self.browser.script("return texplorer.place('view')"), "the window")
+        self.assertIsNone(self.browser.script("return texplorer.place('tour:Skip')"))
+
+    def test_unsaved_work_is_offered_with_its_image(self):
+        self.open()
+        Files.drop(self, **{"red.bmp": Files.RED})
+        self.until(lambda: self.parameter("textures[0].file") == "red.bmp")
+        self.stored("unsaved/")
+        self.reopen()
+        self.click("restore:restore")
+        self.until(lambda: self.parameter("textures[0].file") == "red.bmp")
+        self.until(lambda: self.browser.script("return texplorer.place('restore:restore')") is None)
+        self.assertNotIn("red.bmp", self.spoken("#status"))
+
+    def stored(self, part):
+        """Until a file whose path has this part is in the browser's storage."""
+        self.until(lambda: self.browser.driver.execute_async_script("""
+            const [part, answer] = arguments;
+            indexedDB.open('texplorer /').onsuccess = ({ target }) => {
+                target.result.transaction('files').objectStore('files').getAllKeys().onsuccess = ({ target: keys }) => {
+                    target.result.close();
+                    answer(keys.result.some((key) => key.includes(part)));
+                };
+            };""", part))
+
+
+class Offline(PageTest):
+    def test_the_page_opens_without_its_server(self):
+        self.open()
+        self.until(lambda: self.browser.driver.execute_async_script(
+            "navigator.serviceWorker.ready.then(({ active }) => arguments[0](active.state === 'activated'))"))
+        self.server.shutdown()
+        self.server.server_close()
+        self.browser.driver.get(self.server.address)
+        self.ready()
+
+    def test_a_lost_context_is_restored(self):
+        self.open()
+        before = self.picture()
+        self.browser.script("""
+            const lose = document.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+            lose.loseContext();
+            setTimeout(() => lose.restoreContext(), 100);""")
+        self.until(lambda: self.browser.script(
+            "return !document.querySelector('canvas').getContext('webgl2').isContextLost()"))
+        self.until(lambda: self.picture() == before)
+
+
+def main():
+    global PAGE
+    PAGE = pathlib.Path(sys.argv.pop(1)).resolve()
+    unittest.main()
+
+
+if __name__ == "__main__":
+    main()
