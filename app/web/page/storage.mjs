@@ -6,6 +6,7 @@ import { Directory, File, PreopenDirectory } from './wasi/index.js';
 const DATABASE = `texplorer ${new URL('.', import.meta.url).pathname}`; // each folder of a server has its own
 const STORE = 'files';
 const RETRY = 5000; // milliseconds
+const LEAVING = 300; // milliseconds
 const GONE = Symbol('to be removed');
 const SHARED = /^\/home\/(config|state\/texplorer\/[^/]*$)/; // by all pages; the rest belongs to one page
 const ROOTS = ['home', 'given'];
@@ -65,6 +66,12 @@ async function openDatabase() {
     return done(request);
 }
 
+// The names of all locks of this folder's pages.
+async function openPages() {
+    const { held } = await navigator.locks.query();
+    return new Set(held.map((lock) => lock.name).filter((name) => name.startsWith(`${DATABASE}:`)));
+}
+
 export class Storage {
     root = new PreopenDirectory('/', new Map());
     #page = [...crypto.getRandomValues(new Uint32Array(4))].join('-'); // randomUUID needs https
@@ -122,8 +129,11 @@ export class Storage {
     }
 
     async #adopt() {
-        const { held } = await navigator.locks.query();
-        const open = new Set(held.map((lock) => lock.name));
+        let open = await openPages();
+        if (open.size > 2) { // of this page, and of this work: the lock of a page that was just left ends a little later
+            await new Promise((resolve) => { setTimeout(resolve, LEAVING); });
+            open = await openPages();
+        }
         const transaction = this.#database.transaction(STORE, 'readwrite');
         const store = transaction.objectStore(STORE);
         const [keys, values] = await Promise.all([done(store.getAllKeys()), done(store.getAll())]);
