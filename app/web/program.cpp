@@ -28,12 +28,12 @@ int lengthOf(const auto& range) {
     return static_cast<int>(range.size());
 }
 
-ui::Services lend(ui::OwnedServices<ui::FilesAtOnce>& services, ui::UnsavedWork& unsaved,
-                  ui::SettingsFile& settings, ui::Captures& captures) {
-    ui::Services lent = services.lend(&unsaved);
-    lent.settings = &settings;
-    lent.captures = &captures;
-    return lent;
+ui::Services servicesOf(ui::OwnedServices<ui::FilesAtOnce>& owned, ui::UnsavedWork& unsaved,
+                        ui::SettingsFile& settings, ui::Captures& captures) {
+    ui::Services services = owned.lend(&unsaved);
+    services.settings = &settings;
+    services.captures = &captures;
+    return services;
 }
 
 std::string jsonOf(const stage::Spoken& spoken) {
@@ -56,7 +56,7 @@ Program::Program(const stage::Surface& surface, std::string page)
     , unsaved_(unsavedFolderOfUser())
     , captures_(downloads)
     , settings_(ui::SettingsPlaces::ofUser(), {}, std::chrono::milliseconds(0)) // a page ends without notice
-    , session_(lend(services_, unsaved_, settings_, captures_))
+    , session_(servicesOf(services_, unsaved_, settings_, captures_))
     , loop_(graphics_, session_, surface,
             {[this] { return clipboard_; },
              [this](const std::string& text) {

@@ -44,7 +44,7 @@ function call(name, ...values) {
 }
 
 // Memory of the program that a call takes over: its address and length.
-function lend(content) {
+function copyIn(content) {
     const taken = typeof content === 'string' ? encoder.encode(content) : content;
     const at = call('allocate', taken.length);
     if (!at) {
@@ -145,7 +145,7 @@ async function open() {
     });
     const tell = () => {
         if (trouble !== null)
-            call('storageFailed', ...lend(trouble));
+            call('storageFailed', ...copyIn(trouble));
         trouble = null;
         changed();
     };
@@ -154,16 +154,16 @@ async function open() {
             const at = call('allocate', content.length);
             if (at) {
                 bytes().set(content, at);
-                call('addFile', ...lend(name), at, content.length);
+                call('addFile', ...copyIn(name), at, content.length);
             } else {
-                call('fileRefused', ...lend(name));
+                call('fileRefused', ...copyIn(name));
             }
         }
         call('filesGiven', answers);
         changed();
     };
     const files = new Files(give, (name) => {
-        call('fileRefused', ...lend(name));
+        call('fileRefused', ...copyIn(name));
         changed();
     });
 
@@ -199,13 +199,13 @@ async function open() {
     redraw = changed;
     await load(storage, files);
     panels = new Panels(canvas, bytes);
-    call('start', ...surface().slice(0, 5), ...lend(location.href.replace(/#.*/, '')));
-    call('openAddress', ...lend(location.hash.slice(1)));
+    call('start', ...surface().slice(0, 5), ...copyIn(location.href.replace(/#.*/, '')));
+    call('openAddress', ...copyIn(location.hash.slice(1)));
     if (!exports)
         return;
 
     const program = new Proxy({}, { get: (_, name) => (...values) => call(name, ...values) });
-    listen(canvas, field, { ...events(program), clipboardChanged: (text) => program.clipboardChanged(...lend(text)) }, changed,
+    listen(canvas, field, { ...events(program), clipboardChanged: (text) => program.clipboardChanged(...copyIn(text)) }, changed,
         (count) => { for (let i = 0; i < count; ++i) draw(); });
     const resized = () => {
         call('surfaceChanged', ...surface());
@@ -233,7 +233,7 @@ async function open() {
         changed();
     });
     window.addEventListener('hashchange', () => {
-        call('openAddress', ...lend(location.hash.slice(1)));
+        call('openAddress', ...copyIn(location.hash.slice(1)));
         changed();
     });
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
@@ -243,7 +243,7 @@ async function open() {
         changed();
     });
     await embedding.listen((message) => {
-        call('receive', ...lend(message));
+        call('receive', ...copyIn(message));
         changed();
     });
     globalThis.texplorer = { // for scripts in this page, and for tests
@@ -251,14 +251,14 @@ async function open() {
         send: (message) => {
             let answer = null;
             post = (json) => { answer = JSON.parse(json); };
-            call('receive', ...lend(JSON.stringify(message)));
+            call('receive', ...copyIn(JSON.stringify(message)));
             post = embedding.post;
             changed();
             return answer;
         },
         // The left, top, right and bottom of a widget that is seen, or null.
         place: (name) => {
-            const edges = [0, 1, 2, 3].map((edge) => call('placeOf', ...lend(name), edge));
+            const edges = [0, 1, 2, 3].map((edge) => call('placeOf', ...copyIn(name), edge));
             changed();
             return edges[0] < 0 ? null : edges;
         },
