@@ -2,6 +2,11 @@
 
 //@ version
 #version 330 core
+//@ version of OpenGL ES
+#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
 //@ inputs GL_SMOOTH
 // Interpolated between the vertices.
 in vec4 primaryColor;

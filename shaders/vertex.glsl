@@ -5,6 +5,8 @@
 
 //@ version
 #version 330 core
+//@ version of OpenGL ES
+#version 300 es
 //@ attributes
 // What each vertex was given.
 layout(location = 0) in vec3 position;
@@ -19,6 +21,8 @@ uniform mat4 modelViewProjection;
 uniform mat4 modelView;
 //@ normal matrix
 uniform mat3 normalMatrix; // the inverse of modelView's rotation and scale, transposed
+//@ point size uniform
+uniform float pointSize; // glPointSize
 //@ texture matrix
 uniform mat4 textureMatrixUNIT;
 //@ outputs GL_SMOOTH
@@ -98,5 +102,8 @@ void main() {
     backPrimaryColorTimesW = backPrimaryColor * w;
 //@ back secondary color without perspective
     backSecondaryColorTimesW = backSecondaryColor * w;
+//@ point size
+
+    gl_PointSize = pointSize;
 //@ end
 }

@@ -4,19 +4,16 @@
 #include "app/render/pipeline.h"
 #include "app/render/shader_folder.h"
 #include "app/render/shader_program.h"
+#include "app/view/shader_uniforms.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/glsl/vertex_attributes.h"
 #include "texplorer/scene/animation.h"
 #include "texplorer/scene/model_mesh.h"
-#include "texplorer/scene/texture_matrix.h"
 
 #include <fmt/core.h>
-#include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <glm/matrix.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 
@@ -36,54 +33,6 @@ glsl::SampledUnits sampledUnits(const BoundTextures& textures) {
                    : std::nullopt;
     });
     return units;
-}
-
-/// Sets the light, the fog and the alpha test, which are the same for every model and unit.
-void setPass(const ShaderProgram& program, const Scene& scene, const Pass& pass) {
-    const Light& light = scene.light;
-    program.set("lightPosition", light.position);
-    program.set("lightAmbient", glm::vec3(light.ambient));
-    program.set("lightDiffuse", glm::vec3(light.diffuse));
-    program.set("lightSpecular", glm::vec3(light.specular));
-    program.set("modelAmbient", glm::vec3(light.modelAmbient));
-    program.set("fogColor", glm::clamp(glm::vec3(pass.fog.color), 0.0F, 1.0F));
-    program.set("fogDensity", pass.fog.density);
-    program.set("fogStart", pass.fog.start);
-    program.set("fogEnd", pass.fog.end);
-    program.set("alphaReference", std::round(std::clamp(pass.alphaRef, 0.0F, 1.0F) * 255));
-}
-
-void setMaterial(const ShaderProgram& program, const Material& material) {
-    program.set("colorMaterial", material.colorMaterial ? 1 : 0);
-    program.set("materialAmbient", glm::vec3(material.ambient));
-    program.set("materialDiffuse", material.diffuse);
-    program.set("materialSpecular", glm::vec3(material.specular));
-    program.set("materialEmission", glm::vec3(material.emission));
-    program.set("shininess", material.shininess);
-}
-
-void setTexGen(const ShaderProgram& program, const std::string& uniform, const TexGen& generated) {
-    program.set(uniform,
-                generated.mode == TexGenMode::ObjectLinear ? generated.objectPlane : generated.eyePlane);
-}
-
-/// t -> 1 - t: for a texture that was uploaded upside down.
-glm::mat4 flippedMatrix() {
-    glm::mat4 flip(1);
-    flip[1].y = -1;
-    flip[3].y = 1;
-    return flip;
-}
-
-void setUnit(const ShaderProgram& program, int index, const Unit& unit, const BoundTexture& texture) {
-    const std::string number = std::to_string(index);
-    program.set("texture" + number, index);
-    program.set("environmentColor" + number, glm::clamp(unit.envColor, 0.0F, 1.0F));
-    program.set("lodBias" + number, unitBias(unit, texture));
-    setTexGen(program, fmt::format("plane{}s", number), unit.texGenS);
-    setTexGen(program, fmt::format("plane{}t", number), unit.texGenT);
-    setTexGen(program, fmt::format("plane{}r", number), unit.texGenR);
-    setTexGen(program, fmt::format("plane{}q", number), unit.texGenQ);
 }
 
 class ShaderPipeline : public Pipeline {
@@ -119,7 +68,7 @@ public:
         if (!program_)
             return false;
         program_->use();
-        setPass(*program_, scene, scene.passes[pass]);
+        view::setPass(*program_, scene, scene.passes[pass]);
         for (int i = 0; i < maxUnits; ++i) {
             const auto at = static_cast<std::size_t>(i);
             if (!units_[at])
@@ -133,7 +82,9 @@ public:
             if (textures[at].hasDepths)
                 glTexParameteri(target, GL_DEPTH_TEXTURE_MODE, GL_LUMINANCE);
             glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 0); // it is added to that of the shader
-            setUnit(*program_, i, unit, textures[at]);
+            program_->set(fmt::format("texture{}", i), i);
+            program_->set(fmt::format("lodBias{}", i), unitBias(unit, textures[at]));
+            view::setUnit(*program_, at, unit);
         }
         errors.check([&] { return fmt::format("{}: glUniform", where); });
         return true;
@@ -147,22 +98,10 @@ public:
 
     void beginModel(const Scene& scene, std::size_t pass, std::size_t modelIndex, bool colored,
                     double time) override {
-        const Model& model = scene.models[modelIndex];
-        const glm::mat4 modelView = modelViewMatrix(scene.view, model, time);
-        const Material& material = materialOf(scene, model);
         if (!colored)
-            glVertexAttrib4fv(glsl::colorAttribute, glm::value_ptr(material.color));
-        setMaterial(*program_, material);
-        program_->set("modelView", modelView);
-        program_->set("modelViewProjection", projection_ * modelView);
-        program_->set("normalMatrix", glm::transpose(glm::inverse(glm::mat3(modelView))));
-        for (std::size_t u = 0; u < units_.size(); ++u) {
-            if (!units_[u])
-                continue;
-            const glm::mat4 matrix = textureMatrix(scene, pass, u, modelIndex, time);
-            program_->set(fmt::format("textureMatrix{}", u),
-                          units_[u]->lateFlip == LateFlip::Matrix ? flippedMatrix() * matrix : matrix);
-        }
+            glVertexAttrib4fv(glsl::colorAttribute,
+                              glm::value_ptr(materialOf(scene, scene.models[modelIndex]).color));
+        view::setModel(*program_, scene, pass, modelIndex, projection_, units_, time);
     }
 
 private:

@@ -26,6 +26,36 @@ TEXPLORER_BROWSER(setBlending) void setBlending(bool on);
 /// The canvas's pixels, Rgba8, bottom row first.
 TEXPLORER_BROWSER(readPanels) void readPanels(void* pixels, int width, int height);
 
+// What WebDevice needs (app/gles/device.h), by page/scene.mjs.
+TEXPLORER_BROWSER(maxTextureSize) int maxTextureSize();
+TEXPLORER_BROWSER(makeTexels) unsigned makeTexels(const void* texels, int width, int height, bool floats);
+TEXPLORER_BROWSER(makeBuffer) unsigned makeBuffer(const void* bytes, int count, bool isIndices);
+TEXPLORER_BROWSER(dropBuffer) void dropBuffer(unsigned buffer);
+/// 0: the sources are not accepted, and `programLog` writes why, up to `room` bytes. Returns its length.
+TEXPLORER_BROWSER(makeProgram)
+unsigned makeProgram(const char* vertex, int vertexLength, const char* fragment, int fragmentLength);
+TEXPLORER_BROWSER(programLog) int programLog(char* text, int room);
+TEXPLORER_BROWSER(dropProgram) void dropProgram(unsigned program);
+/// A texture that can be drawn into and shown by `panelTriangles`.
+TEXPLORER_BROWSER(makeTarget) unsigned makeTarget(int width, int height);
+TEXPLORER_BROWSER(dropTarget) void dropTarget(unsigned target);
+TEXPLORER_BROWSER(readTarget) void readTarget(unsigned target, void* pixels, int width, int height);
+TEXPLORER_BROWSER(beginScene)
+void beginScene(unsigned target, int width, int height, float red, float green, float blue, float alpha);
+TEXPLORER_BROWSER(setFragmentTests)
+void setFragmentTests(bool depthTest, unsigned depthFunc, bool blend, unsigned source, unsigned destination);
+TEXPLORER_BROWSER(useProgram) void useProgram(unsigned program);
+/// `kind` is a gles::UniformKind.
+TEXPLORER_BROWSER(setUniform)
+void setUniform(const char* name, int nameLength, int kind, const void* values, int count);
+TEXPLORER_BROWSER(setTexels) void setTexels(int unit, unsigned texels);
+TEXPLORER_BROWSER(setAttribute)
+void setAttribute(unsigned location, unsigned buffer, int components, int stride, int offset);
+TEXPLORER_BROWSER(setConstant)
+void setConstant(unsigned location, float x, float y, float z, float w);
+TEXPLORER_BROWSER(drawParts) void drawParts(int corners, unsigned indices, int first, int count);
+TEXPLORER_BROWSER(endScene) void endScene();
+
 /// Lets the user choose files: they are given by filesGiven.
 TEXPLORER_BROWSER(chooseFiles) void chooseFiles(bool scene);
 /// Gives a file to the user, as a download.

@@ -40,17 +40,25 @@ void drawCommand(const ImDrawCmd& command, ImVec2 origin, ImVec2 density) {
 WebGraphics::WebGraphics()
     : pictures_({makePicture, dropPicture}) {
     offered_.withhold(RendererKind::Fixed, N_("a browser has no OpenGL with fixed functions"));
-    offered_.withhold(RendererKind::Shader, N_("the window in a browser draws the scene by the reference"));
 }
 
-Result<view::Frame> WebGraphics::draw(RendererKind renderer, view::Side /*side*/, const Scene& /*scene*/,
-                                      const ImageSource& /*images*/, double /*time*/, view::Size /*size*/,
+gles::ScenePainter& WebGraphics::painterOf(view::Side side) {
+    std::optional<gles::ScenePainter>& painter = painters_.at(static_cast<std::size_t>(side));
+    return painter ? *painter : painter.emplace(device_);
+}
+
+Result<view::Frame> WebGraphics::draw(RendererKind renderer, view::Side side, const Scene& scene,
+                                      const ImageSource& images, double time, view::Size size,
                                       LevelsSource& /*levels*/) {
-    return fail(ErrorCode::Unsupported, offered_.whyNot(renderer));
+    if (!offered_.has(renderer))
+        return fail(ErrorCode::Unsupported, offered_.whyNot(renderer));
+    return painterOf(side).draw(scene, images, time, size);
 }
 
-Result<Image> WebGraphics::read(RendererKind renderer, view::Side /*side*/) {
-    return fail(ErrorCode::Unsupported, offered_.whyNot(renderer));
+Result<Image> WebGraphics::read(RendererKind renderer, view::Side side) {
+    if (!offered_.has(renderer))
+        return fail(ErrorCode::Unsupported, offered_.whyNot(renderer));
+    return painterOf(side).read();
 }
 
 void WebGraphics::makeFonts() {
@@ -76,6 +84,7 @@ void WebGraphics::fontsChanged() {
 
 void WebGraphics::contextRestored() {
     pictures_.forget();
+    painters_ = {};
     makeFonts();
 }
 

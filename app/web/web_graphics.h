@@ -1,11 +1,16 @@
 #pragma once
 
+#include "app/gles/scene_painter.h"
 #include "app/stage/picture_cache.h"
 #include "app/view/plain_preview.h"
+#include "app/web/web_device.h"
+
+#include <array>
+#include <optional>
 
 namespace texplorer::web {
 
-/// Draws the window on the page's canvas. The reference draws the scene.
+/// Draws the window on the page's canvas, and the scene with shaders.
 class WebGraphics final : public stage::Graphics {
 public:
     WebGraphics();
@@ -40,11 +45,15 @@ private:
     void makeFonts();
     void dropFonts();
 
+    gles::ScenePainter& painterOf(view::Side side);
+
     view::Capabilities capabilities_;
     view::OfferedRenderers offered_;
     stage::PictureCache pictures_;
     view::PlainPreview preview_;
-    unsigned fonts_ = 0; ///< the texture
+    WebDevice device_;
+    std::array<std::optional<gles::ScenePainter>, 2> painters_; ///< by view::Side
+    unsigned fonts_ = 0;                                        ///< the texture
 };
 
 } // namespace texplorer::web

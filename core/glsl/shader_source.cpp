@@ -1,7 +1,8 @@
 #include "texplorer/glsl/shader_source.h"
 
-#include "texplorer/base/sentence_format.h"
 #include "texplorer/gl/combine_arguments.h"
+#include "texplorer/glsl/sampling_source.h"
+#include "texplorer/glsl/source_writer.h"
 #include "texplorer/glsl/vertex_attributes.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/model_mesh.h"
@@ -10,80 +11,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <iterator>
 #include <span>
 
 namespace texplorer::glsl {
 
 namespace {
-
-/// A word of a piece, and what takes its place.
-struct Substitution {
-    std::string_view word;
-    std::string text;
-};
-
-std::string substituted(std::string line, const std::vector<Substitution>& substitutions) {
-    for (const auto& [word, text] : substitutions) {
-        for (std::size_t at = line.find(word); at != std::string::npos;
-             at = line.find(word, at + text.size()))
-            line.replace(at, word.size(), text);
-    }
-    return line;
-}
-
-/// Puts one stage together. A piece that is missing makes all further ones void.
-class Writer {
-public:
-    explicit Writer(const ShaderPieces& pieces)
-        : pieces_(pieces) {}
-
-    void add(std::string_view file, const std::string& name,
-             const std::vector<Substitution>& substitutions = {}) {
-        const std::string fileName = std::string(file) + ".glsl";
-        const ShaderPiece* piece = pieces_.find(fileName, name);
-        if (!piece) {
-            if (!error_)
-                error_ = Error{ErrorCode::NotFound,
-                               Sentence("the piece \"{0}\" is missing", ProperName{name}), inFile(fileName)};
-            return;
-        }
-        int line = piece->firstLine;
-        for (const std::string& text : piece->lines) {
-            source_.text += substituted(text, substitutions) + '\n';
-            source_.lines.push_back({fileName, line++});
-        }
-    }
-
-    /// Puts what another writer has written behind this.
-    void append(Writer&& other) {
-        source_.text += other.source_.text;
-        std::ranges::move(other.source_.lines, std::back_inserter(source_.lines));
-        if (!error_)
-            error_ = std::move(other.error_);
-    }
-
-    [[nodiscard]] bool mentions(std::string_view word) const {
-        return source_.text.find(word) != std::string::npos;
-    }
-
-    [[nodiscard]] Result<StageSource> finish() && {
-        if (error_)
-            return fail(std::move(*error_));
-        return std::move(source_);
-    }
-
-private:
-    const ShaderPieces& pieces_;
-    StageSource source_;
-    std::optional<Error> error_;
-};
-
-/// The name of an enumerator, by which its piece is found.
-template<Enumerated E>
-std::string nameOf(E value) {
-    return std::string(rowOf(value).name);
-}
 
 struct Coordinate {
     char name;
@@ -98,6 +30,7 @@ struct Plan {
     const Scene& scene;
     std::size_t index;
     const SampledUnits& units;
+    Dialect dialect = Dialect::Glsl330;
     const Pass& pass = scene.passes[index];
 
     [[nodiscard]] bool separateSpecular() const {
@@ -111,6 +44,9 @@ struct Plan {
     /// Whether there is something that the rasteriser must not divide by w: see vertex.glsl.
     [[nodiscard]] bool needsW() const { return affineColors() || (affine() && pass.fog.enabled); }
     [[nodiscard]] bool twoSided() const { return pass.lighting && scene.light.twoSide; }
+    [[nodiscard]] std::string version() const {
+        return dialect == Dialect::Es300 ? "version of OpenGL ES" : "version";
+    }
     [[nodiscard]] std::string shading() const {
         const std::string name = nameOf(scene.material.shadeModel);
         return affineColors() ? fmt::format("{} {}", name, nameOf(HintMode::Fastest)) : name;
@@ -143,7 +79,7 @@ struct Plan {
     }
 };
 
-void writeLighting(Writer& body, const Plan& plan) {
+void writeLighting(SourceWriter& body, const Plan& plan) {
     const Light& light = plan.scene.light;
     body.add("lighting", light.position.w == 0 ? "directional light" : "positional light");
     body.add("lighting", light.localViewer ? "local viewer" : "infinite viewer");
@@ -160,7 +96,7 @@ void writeLighting(Writer& body, const Plan& plan) {
     body.add("lighting", "end back");
 }
 
-void writeCoordinate(Writer& body, const Plan& plan, const Unit& unit, const std::string& index) {
+void writeCoordinate(SourceWriter& body, const Plan& plan, const Unit& unit, const std::string& index) {
     body.add("vertex", "coordinate", {{"UNIT", index}});
     for (const Coordinate& coordinate : coordinates) {
         const TexGen& generated = unit.*coordinate.state;
@@ -175,7 +111,7 @@ void writeCoordinate(Writer& body, const Plan& plan, const Unit& unit, const std
 }
 
 Result<StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
-    Writer body(pieces);
+    SourceWriter body(pieces);
     if (plan.pass.lighting)
         writeLighting(body, plan);
     else
@@ -197,10 +133,12 @@ Result<StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
         body.add("vertex", "back secondary color without perspective");
     if (plan.pass.fog.enabled)
         body.add("fog", plan.fogPiece("distance"));
+    if (plan.dialect == Dialect::Es300)
+        body.add("vertex", "point size");
     body.add("vertex", "end");
 
-    Writer stage(pieces);
-    stage.add("vertex", "version");
+    SourceWriter stage(pieces);
+    stage.add("vertex", plan.version());
     stage.add("vertex", "attributes");
     for (std::size_t i = 0; i < plan.units.size(); ++i) {
         if (plan.units[i])
@@ -212,6 +150,8 @@ Result<StageSource> vertexStage(const Plan& plan, const ShaderPieces& pieces) {
         stage.add("vertex", "model-view matrix");
     if (body.mentions("eyeNormal"))
         stage.add("vertex", "normal matrix");
+    if (plan.dialect == Dialect::Es300)
+        stage.add("vertex", "point size uniform");
     if (plan.pass.lighting)
         stage.add("lighting", "uniforms");
     if (body.mentions("materialDiffuse"))
@@ -275,7 +215,7 @@ std::string sourceOf(CombineSource source, const std::string& index, const Sampl
 
 /// The arguments, the function and the scale of the colour ("rgb") or of "alpha". False where an argument is
 /// undefined.
-bool writeFunction(Writer& body, const std::string& what, const std::string& function,
+bool writeFunction(SourceWriter& body, const std::string& what, const std::string& function,
                    std::span<const CombineArgument> arguments, CombineScale scale, const std::string& index,
                    const SampledUnits& units) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -291,9 +231,9 @@ bool writeFunction(Writer& body, const std::string& what, const std::string& fun
     return true;
 }
 
-void writeCombine(Writer& body, const Combine& combine, const std::string& index, const SampledUnits& units,
-                  const ShaderPieces& pieces) {
-    Writer block(pieces);
+void writeCombine(SourceWriter& body, const Combine& combine, const std::string& index,
+                  const SampledUnits& units, const ShaderPieces& pieces) {
+    SourceWriter block(pieces);
     block.add("combine", "begin", {{"UNIT", index}});
     const auto used = [](const CombineArguments& arguments, int count) {
         return std::span(arguments).first(static_cast<std::size_t>(count));
@@ -320,7 +260,7 @@ void writeCombine(Writer& body, const Combine& combine, const std::string& index
 }
 
 /// The primary or secondary colour, if it is not an unchanged input.
-void writeVaryingColor(Writer& body, const Plan& plan, const std::string& which) {
+void writeVaryingColor(SourceWriter& body, const Plan& plan, const std::string& which) {
     if (plan.twoSided() || plan.affineColors())
         body.add("fragment", fmt::format("{} color{}{}", which, plan.twoSided() ? " of the side" : "",
                                          plan.affineColors() ? " without perspective" : ""));
@@ -341,10 +281,20 @@ std::string lookupOf(const Unit& unit, const SampledUnit& sampled) {
     return unit.target == Target::CubeMap ? "lookup of a direction" : "lookup";
 }
 
+/// The colour of a depth.
+void writeDepth(SourceWriter& body, const SampledUnit& sampled, const std::string& index) {
+    if (sampled.hasDepths)
+        body.add("fragment", "depth as " + nameOf(sampled.format), {{"UNIT", index}});
+}
+
 Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) {
-    Writer body(pieces);
+    SourceWriter body(pieces);
     // All texels first: with crossbar a unit may ask for the texel of a later one.
     plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
+        if (sampled.sampler) {
+            body.add("sampling", sampled.hasDepths ? "lookup of a depth" : "lookup", {{"UNIT", index}});
+            return writeDepth(body, sampled, index);
+        }
         if (endsAtTheEdge(sampled))
             body.add("fragment", "place that ends", {{"UNIT", index}});
         for (std::size_t i = 0; i < sampled.ends.size(); ++i) {
@@ -354,8 +304,7 @@ Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) 
         }
         body.add("fragment", lookupOf(unit, sampled) + (unit.lodBias == 0 ? "" : " with bias"),
                  {{"UNIT", index}});
-        if (sampled.hasDepths)
-            body.add("fragment", "depth as " + nameOf(sampled.format), {{"UNIT", index}});
+        writeDepth(body, sampled, index);
     });
     writeVaryingColor(body, plan, "primary");
     body.add("fragment", "primary color");
@@ -385,8 +334,8 @@ Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) 
     }
     body.add("fragment", "end");
 
-    Writer stage(pieces);
-    stage.add("fragment", "version");
+    SourceWriter stage(pieces);
+    stage.add("fragment", plan.version());
     stage.add("fragment", "inputs " + plan.shading());
     if (plan.separateSpecular())
         stage.add("fragment", "secondary input " + plan.shading());
@@ -401,12 +350,15 @@ Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) 
     plan.forEachUnit([&](const Unit& unit, const SampledUnit& sampled, const std::string& index) {
         const std::vector<Substitution> names{{"UNIT", index}};
         stage.add("fragment", "coordinate input", names);
-        const std::string sampler = "sampler " + nameOf(unit.target);
-        stage.add("fragment",
-                  sampled.compares ? fmt::format("{} {}", sampler, nameOf(CompareMode::RToTexture)) : sampler,
-                  names);
-        if (unit.lodBias != 0)
-            stage.add("fragment", "bias", names);
+        if (!sampled.sampler) {
+            const std::string sampler = "sampler " + nameOf(unit.target);
+            stage.add("fragment",
+                      sampled.compares ? fmt::format("{} {}", sampler, nameOf(CompareMode::RToTexture))
+                                       : sampler,
+                      names);
+            if (unit.lodBias != 0)
+                stage.add("fragment", "bias", names);
+        }
         if (body.mentions("environmentColor" + index))
             stage.add("fragment", "environment color", names);
     });
@@ -414,6 +366,7 @@ Result<StageSource> fragmentStage(const Plan& plan, const ShaderPieces& pieces) 
         stage.add("fog", "uniforms " + nameOf(fog.mode));
     if (tested)
         stage.add("fragment", "alpha reference");
+    writeSampling(stage, plan.pass, plan.units, pieces);
     stage.add("fragment", "outputs");
     stage.add("fragment", "begin");
     stage.append(std::move(body));
@@ -431,8 +384,8 @@ bool hasTextureMatrix(const Scene& scene, std::size_t pass, std::size_t unit, co
 }
 
 Result<ShaderSource> shaderSource(const Scene& scene, std::size_t pass, const SampledUnits& units,
-                                  const ShaderPieces& pieces) {
-    const Plan plan{scene, pass, units};
+                                  const ShaderPieces& pieces, Dialect dialect) {
+    const Plan plan{scene, pass, units, dialect};
     Result<StageSource> vertex = vertexStage(plan, pieces);
     if (!vertex)
         return fail(vertex.error());

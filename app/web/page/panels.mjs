@@ -30,12 +30,29 @@ function compile(gl, kind, source) {
     return shader;
 }
 
+// Textures by the names that the program knows.
+class Textures {
+    #gl;
+    #all = new Map();
+    #last = 0;
+
+    constructor(gl) { this.#gl = gl; }
+    add(texture) {
+        this.#all.set(++this.#last, texture);
+        return this.#last;
+    }
+    get(name) { return this.#all.get(name) ?? null; }
+    drop(name) {
+        this.#gl.deleteTexture(this.get(name));
+        this.#all.delete(name);
+    }
+    clear() { this.#all.clear(); } // names are not used again
+}
+
 export class Panels {
     #gl;
     #canvas;
     #bytes; // () → Uint8Array of the program's memory
-    #textures = new Map();
-    #last = 0;
     #program;
     #size;
     #density = 1;
@@ -51,12 +68,15 @@ export class Panels {
         });
         if (!this.#gl)
             throw new Error('Texplorer needs WebGL 2, which this browser has not or has switched off.');
+        this.textures = new Textures(this.#gl);
         this.#prepare();
     }
 
+    get gl() { return this.#gl; }
+
     // Call after the context was restored: there are no textures any more.
     restore() {
-        this.#textures.clear();
+        this.textures.clear();
         this.#prepare();
     }
 
@@ -85,13 +105,11 @@ export class Panels {
         gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE,
             this.#bytes().subarray(pixels, pixels + width * height * 4));
-        this.#textures.set(++this.#last, texture);
-        return this.#last;
+        return this.textures.add(texture);
     }
 
     dropTexture(name) {
-        this.#gl.deleteTexture(this.#textures.get(name) ?? null);
-        this.#textures.delete(name);
+        this.textures.drop(name);
     }
 
     beginPanels(width, height, density, red, green, blue) {
@@ -134,7 +152,7 @@ export class Panels {
         if (width <= 0 || rows <= 0)
             return;
         gl.scissor(x, y, width, rows);
-        gl.bindTexture(gl.TEXTURE_2D, this.#textures.get(texture) ?? null);
+        gl.bindTexture(gl.TEXTURE_2D, this.textures.get(texture));
         gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_SHORT, firstIndex * 2);
     }
 

@@ -4,6 +4,7 @@ import * as embedding from './embedding.mjs';
 import { download, Files } from './files.mjs';
 import { listen } from './input.mjs';
 import { Panels } from './panels.mjs';
+import { SceneDevice } from './scene.mjs';
 import { show } from './spoken.mjs';
 import { Storage } from './storage.mjs';
 import { ConsoleStdout, WASI } from './wasi/index.js';
@@ -19,6 +20,7 @@ const CURSORS = ['default', 'text', 'move', 'ns-resize', 'ew-resize', 'nesw-resi
 
 let exports = null;
 let panels = null;
+let scene = null;
 let redraw = () => {};
 let post = embedding.post;
 const bytes = () => new Uint8Array(exports.memory.buffer);
@@ -58,6 +60,9 @@ function copyIn(content) {
 
 const textAt = (at, length) => decoder.decode(bytes().slice(at, at + length));
 
+const methodsOf = (kind) => Object.getOwnPropertyNames(kind.prototype)
+    .filter((name) => !['constructor', 'gl', 'restore'].includes(name));
+
 // What the program calls (browser.h).
 function browserFor(files) {
     const browser = {
@@ -89,8 +94,10 @@ function browserFor(files) {
             }
         },
     };
-    for (const name of ['makeTexture', 'dropTexture', 'beginPanels', 'panelList', 'panelTriangles', 'setBlending', 'readPanels'])
+    for (const name of methodsOf(Panels))
         browser[name] = (...values) => panels[name](...values);
+    for (const name of methodsOf(SceneDevice))
+        browser[name] = (...values) => scene[name](...values);
     return browser;
 }
 
@@ -199,6 +206,7 @@ async function open() {
     redraw = changed;
     await load(storage, files);
     panels = new Panels(canvas, bytes);
+    scene = new SceneDevice(panels.gl, panels.textures, () => exports.memory.buffer);
     call('start', ...surface().slice(0, 5), ...copyIn(location.href.replace(/#.*/, '')));
     call('openAddress', ...copyIn(location.hash.slice(1)));
     if (!exports)
@@ -239,6 +247,7 @@ async function open() {
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
     canvas.addEventListener('webglcontextrestored', () => {
         panels.restore();
+        scene.restore();
         call('contextRestored');
         changed();
     });

@@ -57,6 +57,7 @@ const StoredTexture* TextureStore::prepare(const Scene& scene, std::size_t index
     if (Texture settings = imageSettings(texture); slot.pictures != pictures || slot.settings != settings) {
         slot = Slot{}; // before the new one takes its memory
         slot = filled(std::move(pictures), std::move(settings), target, work, where);
+        slot.texture.version = ++versions_;
     }
     std::ranges::for_each(slot.notes, say);
     if (!slot.usable)

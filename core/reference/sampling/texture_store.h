@@ -4,6 +4,7 @@
 #include "texplorer/reference/sampling/sampled_texture.h"
 #include "texplorer/texture/image_source.h"
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -15,7 +16,8 @@ namespace texplorer::reference {
 struct StoredTexture {
     SampledTexture sampled;
     LateFlip lateFlip = LateFlip::None;
-    bool complete = false; ///< if false, the unit is drawn as if it were disabled
+    bool complete = false;     ///< if false, the unit is drawn as if it were disabled
+    std::uint64_t version = 0; ///< of its levels: different levels, another number
     /// Of a custom upload, whose levels have the memory that was read; else nullptr.
     std::shared_ptr<const TextureLevels> uploaded{};
 };
@@ -47,6 +49,7 @@ private:
                        const std::string& where);
 
     std::map<std::pair<std::size_t, Target>, Slot> slots_;
+    std::uint64_t versions_ = 0;
 };
 
 } // namespace texplorer::reference
