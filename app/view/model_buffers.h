@@ -27,7 +27,7 @@ using Buffer = std::shared_ptr<const unsigned>;
 enum class BufferKind : std::uint8_t { Vertices, Indices };
 using MakeBuffer = std::function<Buffer(BufferKind, std::span<const std::byte>)>;
 
-/// The vertex and index buffers of a scene's models, whatever makes them. Filled again when a shape or a
+/// The vertex and index buffers of a scene's models, made by the caller's function. Filled again when a shape or a
 /// texture coordinate changes.
 class ModelBuffers {
 public:

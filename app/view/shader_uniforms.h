@@ -1,6 +1,6 @@
 #pragma once
 
-// The uniforms that shaders of core/glsl have in common, whatever draws with them. `Program` has a function
+// The uniforms of the shaders of core/glsl, which are the same for OpenGL and OpenGL ES. `Program` has a function
 // set(name, value), which ignores names that it does not have.
 
 #include "texplorer/glsl/shader_source.h"
