@@ -23,6 +23,12 @@ float comparedUNIT; // r of this fragment
 vec3 finite(vec3 coords) {
     return mix(vec3(0.0), coords, lessThan(abs(coords), vec3(3.4e38)));
 }
+//@ finiteDirection
+
+// A direction that is none, because a coordinate is no number, becomes 0.
+vec3 finiteDirection(vec3 coords) {
+    return all(lessThan(abs(coords), vec3(3.4e38))) ? coords : vec3(0.0);
+}
 //@ repeated
 
 // GL_REPEAT: where a coordinate lies among n texels.
@@ -211,7 +217,7 @@ vec4 linearUNIT(int level, vec3 coords) {
 
 // Equations 3.18 to 3.20: how many levels smaller the texture is on the screen, rho texels for one pixel.
 float levelOfDetail(float rho, vec3 lod) {
-    float base = rho < 3.4e38 ? log2(max(rho, 1e-38)) : 0.0;
+    float base = rho < 3.4e38 ? log2(max(rho, 1e-37)) : 0.0;
     return min(max(base + lod.x, lod.y), lod.z);
 }
 //@ begin filtered
@@ -238,7 +244,7 @@ vec4 filteredUNIT(float lambda, vec3 coords) {
 //@ begin sample
 
 vec4 sampleUNIT(vec3 given) {
-    vec3 coords = finite(given);
+    vec3 coords = FINITE(given);
 //@ compares r
     comparedUNIT = given.p > 0.0 ? min(given.p, 1.0) : 0.0;
 //@ changes

@@ -29,6 +29,7 @@ public:
     virtual ~Device() = default;
 
     [[nodiscard]] virtual int maxTextureSize() const = 0;
+    [[nodiscard]] virtual int maxPointSize() const = 0; ///< in pixels
 
     /// A texture that is read by texelFetch: `rows` rows of glsl::texelsPerRow texels of four bytes, or of
     /// four floats. 0: it could not be made.

@@ -7,6 +7,7 @@
 #include "texplorer/glsl/vertex_attributes.h"
 #include "texplorer/reference/drawn_pictures.h"
 #include "texplorer/reference/light_depth.h"
+#include "texplorer/reference/raster/triangle.h"
 #include "texplorer/reference/sampling/lod.h"
 #include "texplorer/reference/sampling/texture_store.h"
 #include "texplorer/scene/drawn_models.h"
@@ -14,7 +15,6 @@
 #include "texplorer/scene/pass_pictures.h"
 
 #include <fmt/core.h>
-#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -72,7 +72,6 @@ struct Listed {
     std::vector<std::optional<glm::ivec4>> levels;
     bool isUnclamped = false; ///< its texels may lie outside 0 … 1
     Sentence problem;
-    bool used = true; ///< in the current frame
 };
 
 /// What a unit samples.
@@ -81,11 +80,6 @@ struct BoundTexture {
     const Listed* listed = nullptr;
 };
 using BoundTextures = std::array<BoundTexture, maxUnits>;
-
-bool isOutside(const glm::vec4& texel) {
-    return !glm::all(glm::greaterThanEqual(texel, glm::vec4(0))) ||
-           !glm::all(glm::lessThanEqual(texel, glm::vec4(1)));
-}
 
 glsl::SampledUnit sampledUnit(const BoundTexture& bound, const Pass& pass) {
     const reference::SampledTexture& texture = bound.stored->sampled;
@@ -105,6 +99,29 @@ glsl::SampledUnit sampledUnit(const BoundTexture& bound, const Pass& pass) {
                                  texture.target == Target::CubeMap && pass.seamlessCubeMap,
                                  texture.compareFunc}};
 }
+
+glsl::SampledUnits sampledUnits(const BoundTextures& bound, const Pass& pass) {
+    glsl::SampledUnits units;
+    std::ranges::transform(bound, units.begin(), [&pass](const BoundTexture& texture) {
+        return texture.stored ? std::optional(sampledUnit(texture, pass)) : std::nullopt;
+    });
+    return units;
+}
+
+/// Draws into a target until it is destroyed.
+class Drawing {
+public:
+    Drawing(Device& device, unsigned target, view::Size size, const glm::vec4& background)
+        : device_(device) {
+        device.begin(target, size, background);
+    }
+    Drawing(const Drawing&) = delete;
+    Drawing& operator=(const Drawing&) = delete;
+    ~Drawing() { device_.end(); }
+
+private:
+    Device& device_;
+};
 
 /// The levels that minification uses, from the base level on.
 std::vector<glm::ivec4> listedLevels(const Listed& listed, const reference::SampledTexture& texture,
@@ -150,25 +167,25 @@ struct ScenePainter::State {
         Object program; ///< nullptr: it does not compile
         std::shared_ptr<const view::PassShader> shader;
     };
-    /// The inputs of a picture.
+    /// What a frame depends on.
     struct Drawn {
         Scene scene;
         ImageSource images;
         double time = 0;
         view::Size size;
-
-        bool operator==(const Drawn&) const = default;
     };
 
-    Result<void> begin(Surface& into, view::Size size, const glm::vec4& background);
-    void drawScene(const Scene& scene, const ImageSource& images, double time, view::Size size);
+    Result<void> drawScene(Surface& into, const Scene& scene, const ImageSource& images, double time,
+                           view::Size size);
     void drawPass(const Scene& scene, std::size_t pass, const BoundTextures& bound,
                   const glm::mat4& projection, double time);
     void drawModel(const Scene& scene, const Pass& pass, std::size_t model, double time,
                    const std::array<view::CoordUse, maxUnits>& uses);
+    Result<view::Frame> drawFrame(const Scene& scene, const Scene& standing, const ImageSource& images,
+                                  double time, view::Size size);
     BoundTextures texturesOf(const Scene& scene, std::size_t pass, const ImageSource& images);
     const Listed& listedOf(const reference::StoredTexture& stored, std::size_t texture);
-    const Compiled* compiled(const Scene& scene, std::size_t pass, const glsl::SampledUnits& units);
+    const Compiled* compiled(const Scene& scene, std::size_t pass, const BoundTextures& bound);
     void report(Sentence sentence);
 
     Device& device;
@@ -182,8 +199,8 @@ struct ScenePainter::State {
     std::map<std::pair<std::string, std::string>, Compiled> programs; ///< by their two sources
     std::vector<std::shared_ptr<const view::PassShader>> shaders;     ///< of the current frame, by pass
     std::vector<Sentence> problems;                                   ///< of the current frame
-    std::optional<Drawn> drawn;
-    std::uint64_t revision = 0;
+    std::optional<Drawn> drawn;                                       ///< the last frame's inputs
+    view::Frame frame;                                                ///< the last one
 };
 
 ScenePainter::ScenePainter(Device& device)
@@ -199,53 +216,31 @@ Result<view::Frame> ScenePainter::draw(const Scene& scene, const ImageSource& im
     if (size.width < 1 || size.height < 1 || size.width > limit || size.height > limit)
         return fail(ErrorCode::OutOfRange, Sentence("a picture has 1 × 1 to {0} pixels, not {1}",
                                                     view::asText({limit, limit}), asText(size)));
+    if (const auto& drawn = state.drawn; drawn && drawn->size == size && drawn->time == time &&
+                                         drawn->images == images && drawn->scene == scene)
+        return state.frame;
+    state.drawn.reset();
     const auto begin = std::chrono::steady_clock::now();
-    view::Frame frame{.size = size};
     try {
         const StandingScene standing(scene, time);
-        state.problems.clear();
-        state.shaders.assign(standing->passes.size(), nullptr);
-        state.buffers.beginFrame();
-        state.textures.keepOnly(*standing);
-        const auto drawPicture = [&state](const Scene& picture, const ImageSource& known, double then,
-                                          int extent) -> Result<Image> {
-            const view::Size square{extent, extent};
-            if (Result<void> begun = state.begin(state.pictures, square, picture.view.background); !begun)
-                return fail(begun.error());
-            state.drawScene(picture, known, then, square);
-            Image image = Image::uninitialised(PixelFormat::Rgba8, extent, extent);
-            state.device.read(*state.pictures.object, image);
-            return image;
-        };
-        const Result<ImageSource> all = state.drawnPictures.addedTo(
-            state.lightDepths.addedTo(images, *standing, time), scene, time, drawPicture);
-        if (!all)
-            return fail(all.error());
-        if (const Result<void> begun = state.begin(state.target, size, standing->view.background); !begun)
-            return fail(begun.error());
-        if (hasPictures(*standing))
-            state.drawScene(picturedScene(*standing, 0), *all, time, size);
-        else // without a copy
-            state.drawScene(*standing, *all, time, size);
-        std::erase_if(state.lists, [](const auto& entry) { return !entry.second.used; });
-        for (auto& [place, listed] : state.lists)
-            listed.used = false;
-        State::Drawn inputs{*standing, *all, time, size};
-        if (state.drawn != inputs) {
-            state.drawn = std::move(inputs);
-            ++state.revision;
-        }
-        frame.pictures = all->pictures();
+        Result<view::Frame> frame = state.drawFrame(scene, *standing, images, time, size);
+        if (!frame)
+            return frame;
+        const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
+        frame->milliseconds = elapsed.count();
+        frame->revision = state.frame.revision + 1;
+        state.frame = *std::move(frame);
+        state.drawn = {scene, images, time, size};
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::TooLarge, "not enough memory for the scene's images and meshes");
     }
-    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
-    frame.picture = state.device.pictureOf(*state.target.object);
-    frame.milliseconds = elapsed.count();
-    frame.problems = state.problems;
-    frame.shaders = state.shaders;
-    frame.revision = state.revision;
-    return frame;
+    return state.frame;
+}
+
+void ScenePainter::forgetObjects() {
+    const std::uint64_t revision = state_->frame.revision;
+    state_ = std::make_unique<State>(state_->device);
+    state_->frame.revision = revision;
 }
 
 Result<Image> ScenePainter::read() {
@@ -263,7 +258,47 @@ Result<Image> ScenePainter::read() {
     }
 }
 
-Result<void> ScenePainter::State::begin(Surface& into, view::Size size, const glm::vec4& background) {
+/// `standing` is the scene at that time.
+Result<view::Frame> ScenePainter::State::drawFrame(const Scene& scene, const Scene& standing,
+                                                   const ImageSource& images, double time, view::Size size) {
+    problems.clear();
+    shaders.assign(standing.passes.size(), nullptr);
+    buffers.beginFrame();
+    textures.keepOnly(standing);
+    std::erase_if(lists, [&standing](const auto& entry) {
+        return !reference::isSampled(standing, entry.first.first, entry.first.second);
+    });
+    const auto drawPicture = [this](const Scene& picture, const ImageSource& known, double then,
+                                    int extent) -> Result<Image> {
+        if (const Result<void> done = drawScene(pictures, picture, known, then, {extent, extent}); !done)
+            return fail(done.error());
+        Image image = Image::uninitialised(PixelFormat::Rgba8, extent, extent);
+        device.read(*pictures.object, image);
+        return image;
+    };
+    const Result<ImageSource> all =
+        drawnPictures.addedTo(lightDepths.addedTo(images, standing, time), scene, time, drawPicture);
+    if (!all)
+        return fail(all.error());
+    const Result<void> done = hasPictures(standing)
+                                  ? drawScene(target, picturedScene(standing, 0), *all, time, size)
+                                  : drawScene(target, standing, *all, time, size); // without a copy
+    if (!done)
+        return fail(done.error());
+    // Passes of pictures that were not drawn again, for those who read them.
+    for (std::size_t i = 0; i < shaders.size(); ++i) {
+        if (standing.passes[i].enabled && !shaders[i])
+            compiled(standing, i, texturesOf(standing, i, *all));
+    }
+    return view::Frame{.picture = device.pictureOf(*target.object),
+                       .size = size,
+                       .problems = problems,
+                       .shaders = shaders,
+                       .pictures = all->pictures()};
+}
+
+Result<void> ScenePainter::State::drawScene(Surface& into, const Scene& scene, const ImageSource& images,
+                                            double time, view::Size size) {
     if (!into.object || into.size != size) {
         into = {}; // free the old one first: both may not fit
         const unsigned made = device.makeTarget(size);
@@ -272,37 +307,24 @@ Result<void> ScenePainter::State::begin(Surface& into, view::Size size, const gl
                         Sentence("the browser can't draw a picture of {0} pixels", asText(size)));
         into = {size, own(device, made, &Device::dropTarget)};
     }
-    device.begin(*into.object, size, background);
-    return {};
-}
-
-void ScenePainter::State::drawScene(const Scene& scene, const ImageSource& images, double time,
-                                    view::Size size) {
+    const Drawing drawing(device, *into.object, size, scene.view.background);
     const glm::mat4 projection =
         projectionMatrix(scene.view, static_cast<float>(size.width) / static_cast<float>(size.height));
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
         if (scene.passes[i].enabled)
             drawPass(scene, i, texturesOf(scene, i, images), projection, time);
     }
-    device.end();
+    return {};
 }
 
 void ScenePainter::State::drawPass(const Scene& scene, std::size_t index, const BoundTextures& bound,
                                    const glm::mat4& projection, double time) {
     const Pass& pass = scene.passes[index];
-    glsl::SampledUnits units;
-    std::array<view::CoordUse, maxUnits> uses{};
-    for (std::size_t u = 0; u < units.size(); ++u) {
-        if (!bound[u].stored)
-            continue;
-        units[u] = sampledUnit(bound[u], pass);
-        uses[u] = bound[u].stored->lateFlip == LateFlip::Coordinates ? view::CoordUse::Flipped
-                                                                     : view::CoordUse::AsGiven;
-    }
-    const Compiled* program = compiled(scene, index, units);
-    if (!program || !program->program)
+    const Compiled* program = compiled(scene, index, bound);
+    if (!program)
         return;
-    shaders[index] = program->shader;
+    const glsl::SampledUnits units = sampledUnits(bound, pass);
+    std::array<view::CoordUse, maxUnits> uses{};
     device.setFragmentTests(pass);
     device.use(*program->program);
     const Uniforms uniforms(device);
@@ -311,13 +333,14 @@ void ScenePainter::State::drawPass(const Scene& scene, std::size_t index, const 
         const auto at = static_cast<std::size_t>(i);
         if (!units[at])
             continue;
+        uses[at] =
+            units[at]->lateFlip == LateFlip::Coordinates ? view::CoordUse::Flipped : view::CoordUse::AsGiven;
         device.setTexels(i, *bound[at].listed->texels);
         setSampler(uniforms, i, bound[at], pass.units[at]);
         view::setUnit(uniforms, at, pass.units[at]);
     }
     for (const std::size_t model : drawnModels(scene, pass)) {
         view::setModel(uniforms, scene, index, model, projection, units, time);
-        uniforms.set("pointSize", scene.models[model].pointSize);
         drawModel(scene, pass, model, time, uses);
     }
 }
@@ -338,10 +361,14 @@ void ScenePainter::State::drawModel(const Scene& scene, const Pass& pass, std::s
         device.setAttribute(glsl::colorAttribute, materialOf(scene, model).color);
     for (std::size_t u = 0; u < bound.coords.size(); ++u) {
         const view::ModelBuffers::Coords& coords = bound.coords[u];
+        const auto location = glsl::firstCoordAttribute + static_cast<unsigned>(u);
         if (coords.buffer)
-            device.setAttribute(glsl::firstCoordAttribute + static_cast<unsigned>(u), **coords.buffer, 4,
-                                coords.stride, coords.offset);
+            device.setAttribute(location, **coords.buffer, 4, coords.stride, coords.offset);
+        else // WebGL refuses to draw with an array whose buffer is gone
+            device.setAttribute(location, glm::vec4(0, 0, 0, 1));
     }
+    const int pointSize = reference::roundedSize(model.pointSize);
+    Uniforms(device).set("pointSize", static_cast<float>(pointSize));
     std::size_t first = 0;
     int corners = 3;
     for (const std::vector<std::uint32_t>* parts : {&mesh.triangles, &mesh.lines, &mesh.points}) {
@@ -350,9 +377,11 @@ void ScenePainter::State::drawModel(const Scene& scene, const Pass& pass, std::s
         first += parts->size();
         --corners;
     }
-    if (!mesh.lines.empty() && model.lineWidth > 1)
-        report(Sentence("models[{0}]: a browser draws lines 1 pixel wide, not {1}", index,
-                        ProperName{fmt::format("{}", model.lineWidth)}));
+    if (const int width = reference::roundedSize(model.lineWidth); !mesh.lines.empty() && width > 1)
+        report(Sentence("models[{0}]: a browser draws lines 1 pixel wide, not {1}", index, width));
+    if (const int most = device.maxPointSize(); !mesh.points.empty() && pointSize > most)
+        report(Sentence("models[{0}]: this browser draws points of at most {1} pixels, not {2}", index, most,
+                        pointSize));
 }
 
 BoundTextures ScenePainter::State::texturesOf(const Scene& scene, std::size_t passIndex,
@@ -385,38 +414,34 @@ BoundTextures ScenePainter::State::texturesOf(const Scene& scene, std::size_t pa
 
 const Listed& ScenePainter::State::listedOf(const reference::StoredTexture& stored, std::size_t texture) {
     Listed& listed = lists[{texture, stored.sampled.target}];
-    listed.used = true;
     if (listed.version == stored.version)
         return listed;
-    listed = {};
-    listed.version = stored.version;
-    const std::size_t rows = rowsOf(stored.sampled);
-    const int limit = device.maxTextureSize();
+    listed = {}; // before the new one takes its memory
+    Listed next;
+    const std::size_t count = texelCount(stored.sampled);
     unsigned made = 0;
-    if (std::cmp_less_equal(rows, limit)) {
+    if (std::cmp_less_equal(rowsFor(count), device.maxTextureSize())) {
         TexelList list = texelList(stored.sampled);
         made = device.makeTexels(list.texels, list.rows, list.floats);
-        listed.levels = std::move(list.levels);
-        listed.isUnclamped =
-            isFloat(stored.sampled.internalFormat) ||
-            (list.floats && std::ranges::any_of(stored.sampled.levels, [](const auto& level) {
-                 return std::ranges::any_of(level.texels, isOutside);
-             }));
+        next.levels = std::move(list.levels);
+        next.isUnclamped = list.isUnclamped;
     }
     if (made == 0)
-        listed.problem =
-            Sentence("the browser can't hold its {0} texels; drawn without it", rows * glsl::texelsPerRow);
+        next.problem = Sentence("the browser can't hold its {0} texels; drawn without it", count);
     else
-        listed.texels = own(device, made, &Device::dropTexels);
-    return listed;
+        next.texels = own(device, made, &Device::dropTexels);
+    next.version = stored.version;
+    return listed = std::move(next);
 }
 
+/// nullptr: it can't be drawn.
 const ScenePainter::State::Compiled* ScenePainter::State::compiled(const Scene& scene, std::size_t pass,
-                                                                   const glsl::SampledUnits& units) {
+                                                                   const BoundTextures& bound) {
     constexpr std::size_t maxPrograms = 256;
     const std::string where = fmt::format("passes[{}]", pass);
     Result<glsl::ShaderSource> source =
-        glsl::shaderSource(scene, pass, units, glsl::ShaderPieces::embedded(), glsl::Dialect::Es300);
+        glsl::shaderSource(scene, pass, sampledUnits(bound, scene.passes[pass]),
+                           glsl::ShaderPieces::embedded(), glsl::Dialect::Es300);
     if (!source) {
         report(Sentence("{0}: {1}", ProperName{where}, describe(source.error())));
         return nullptr;
@@ -435,9 +460,11 @@ const ScenePainter::State::Compiled* ScenePainter::State::compiled(const Scene& 
         made.shader =
             std::make_shared<const view::PassShader>(view::PassShader{*std::move(source), std::move(log)});
     }
-    if (!made.program)
-        report(Sentence("{0}: {1}", ProperName{where}, made.shader->log.front().sentence));
-    return &made;
+    shaders[pass] = made.shader;
+    if (made.program)
+        return &made;
+    report(Sentence("{0}: {1}", ProperName{where}, made.shader->log.front().sentence));
+    return nullptr;
 }
 
 void ScenePainter::State::report(Sentence sentence) {

@@ -28,6 +28,9 @@ public:
     [[nodiscard]] Result<view::Frame> draw(const Scene& scene, const ImageSource& images, double time,
                                            view::Size size);
 
+    /// Call when the device has lost its objects: they are made again.
+    void forgetObjects();
+
     /// The last picture: Rgba8, bottom row first. Error: NotFound if nothing was drawn.
     [[nodiscard]] Result<Image> read();
 

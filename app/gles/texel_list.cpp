@@ -2,10 +2,13 @@
 
 #include "texplorer/glsl/shader_source.h"
 
+#include <glm/vector_relational.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <utility>
 
 namespace texplorer::gles {
 
@@ -32,43 +35,41 @@ void eachLevel(const SampledTexture& texture, auto each) {
         each(number, facesOfLevel(texture, number));
 }
 
-std::size_t rowsFor(std::size_t texels) {
-    constexpr std::size_t row = glsl::texelsPerRow;
-    return std::max<std::size_t>(1, (texels + row - 1) / row);
+bool isOutside(const glm::vec4& texel) {
+    return !glm::all(glm::greaterThanEqual(texel, glm::vec4(0))) ||
+           !glm::all(glm::lessThanEqual(texel, glm::vec4(1)));
 }
 
-} // namespace
-
-std::size_t rowsOf(const SampledTexture& texture) {
-    std::size_t count = 0;
-    eachLevel(texture, [&](int /*number*/, const std::vector<const Level*>& faces) {
-        for (const Level* face : faces)
-            count += face->texels.size();
-    });
-    return rowsFor(count);
-}
-
-TexelList texelList(const SampledTexture& texture) {
-    TexelList list;
-    list.rows = static_cast<int>(rowsOf(texture));
-    std::vector<std::vector<std::int32_t>> bytes; // of each level and face
-    eachLevel(texture, [&](int /*number*/, const std::vector<const Level*>& faces) {
-        for (const Level* face : faces) {
-            if (list.floats)
-                return;
-            bytes.push_back(face->bytes.empty() ? reference::bytesOf(face->texels) : face->bytes);
-            list.floats = bytes.back().empty();
-        }
-    });
-    const std::size_t texelBytes = list.floats ? sizeof(glm::vec4) : sizeof(std::int32_t);
-    list.texels.resize(static_cast<std::size_t>(list.rows) * glsl::texelsPerRow * texelBytes);
-    std::size_t first = 0;
-    std::size_t image = 0;
-    const auto append = [&](const auto& texels) {
+/// Appends the texels of a face to the list. False: they are no bytes.
+bool append(TexelList& list, const Level& face, std::size_t first) {
+    const auto copy = [&](const auto& texels) {
         const auto from = std::as_bytes(std::span(texels));
-        std::memcpy(list.texels.data() + first * texelBytes, from.data(), from.size());
-        first += texels.size();
+        std::memcpy(list.texels.data() + first * sizeof texels[0], from.data(), from.size());
     };
+    if (list.floats) {
+        list.isUnclamped = list.isUnclamped || std::ranges::any_of(face.texels, isOutside);
+        copy(face.texels);
+        return true;
+    }
+    if (!face.bytes.empty()) {
+        copy(face.bytes);
+        return true;
+    }
+    const std::vector<std::int32_t> bytes = reference::bytesOf(face.texels);
+    copy(bytes);
+    return !bytes.empty();
+}
+
+/// Of bytes or floats; nothing if the texels are no bytes.
+std::optional<TexelList> listOf(const SampledTexture& texture, bool floats) {
+    TexelList list;
+    const std::size_t rows = rowsFor(texelCount(texture));
+    list.rows = static_cast<int>(rows);
+    list.floats = floats;
+    list.isUnclamped = isFloat(texture.internalFormat);
+    list.texels.resize(rows * glsl::texelsPerRow * (floats ? sizeof(glm::vec4) : sizeof(std::int32_t)));
+    std::size_t first = 0;
+    bool fits = true;
     eachLevel(texture, [&](int /*number*/, const std::vector<const Level*>& faces) {
         std::optional<glm::ivec4>& place = list.levels.emplace_back();
         if (faces.empty())
@@ -80,13 +81,32 @@ TexelList texelList(const SampledTexture& texture) {
         const int slices = texture.target == Target::CubeMap ? facesOf(texture.target) : extent(2);
         place = glm::ivec4(extent(0), extent(1), slices, static_cast<int>(first));
         for (const Level* face : faces) {
-            if (list.floats)
-                append(face->texels);
-            else
-                append(bytes[image++]);
+            fits = fits && append(list, *face, first);
+            first += face->texels.size();
         }
     });
-    return list;
+    return fits ? std::optional(std::move(list)) : std::nullopt;
+}
+
+} // namespace
+
+std::size_t texelCount(const SampledTexture& texture) {
+    std::size_t count = 0;
+    eachLevel(texture, [&](int /*number*/, const std::vector<const Level*>& faces) {
+        for (const Level* face : faces)
+            count += face->texels.size();
+    });
+    return count;
+}
+
+std::size_t rowsFor(std::size_t texels) {
+    constexpr std::size_t row = glsl::texelsPerRow;
+    return std::max<std::size_t>(1, (texels + row - 1) / row);
+}
+
+TexelList texelList(const SampledTexture& texture) {
+    std::optional<TexelList> bytes = listOf(texture, false);
+    return bytes ? *std::move(bytes) : listOf(texture, true).value();
 }
 
 } // namespace texplorer::gles

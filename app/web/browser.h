@@ -1,7 +1,7 @@
 #pragma once
 
-// What the page does for the program (page/panels.mjs, page/texplorer.mjs). Texts are UTF-8 with a length in
-// bytes. Calls that take memory have read it when they return.
+// What the page does for the program (page/panels.mjs, page/scene.mjs, page/texplorer.mjs). Texts are UTF-8
+// with a length in bytes. Calls that take memory have read it when they return.
 
 #define TEXPLORER_BROWSER(name) __attribute__((import_module("browser"), import_name(#name)))
 
@@ -28,6 +28,7 @@ TEXPLORER_BROWSER(readPanels) void readPanels(void* pixels, int width, int heigh
 
 // What WebDevice needs (app/gles/device.h), by page/scene.mjs.
 TEXPLORER_BROWSER(maxTextureSize) int maxTextureSize();
+TEXPLORER_BROWSER(maxPointSize) int maxPointSize();
 TEXPLORER_BROWSER(makeTexels) unsigned makeTexels(const void* texels, int width, int height, bool floats);
 TEXPLORER_BROWSER(makeBuffer) unsigned makeBuffer(const void* bytes, int count, bool isIndices);
 TEXPLORER_BROWSER(dropBuffer) void dropBuffer(unsigned buffer);

@@ -18,6 +18,10 @@ int WebDevice::maxTextureSize() const {
     return browser::maxTextureSize();
 }
 
+int WebDevice::maxPointSize() const {
+    return browser::maxPointSize();
+}
+
 unsigned WebDevice::makeTexels(std::span<const std::byte> texels, int rows, bool floats) {
     return browser::makeTexels(texels.data(), glsl::texelsPerRow, rows, floats);
 }

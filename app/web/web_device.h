@@ -8,6 +8,7 @@ namespace texplorer::web {
 class WebDevice final : public gles::Device {
 public:
     [[nodiscard]] int maxTextureSize() const override;
+    [[nodiscard]] int maxPointSize() const override;
     [[nodiscard]] unsigned makeTexels(std::span<const std::byte> texels, int rows, bool floats) override;
     void dropTexels(unsigned name) override;
     [[nodiscard]] unsigned makeBuffer(view::BufferKind kind, std::span<const std::byte> content) override;

@@ -84,7 +84,10 @@ void WebGraphics::fontsChanged() {
 
 void WebGraphics::contextRestored() {
     pictures_.forget();
-    painters_ = {};
+    for (std::optional<gles::ScenePainter>& painter : painters_) {
+        if (painter)
+            painter->forgetObjects();
+    }
     makeFonts();
 }
 

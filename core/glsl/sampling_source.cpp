@@ -21,6 +21,7 @@ constexpr auto unitPieces = std::to_array<Declared>({{"borderColor", "border col
                                                      {"anisotropy", "anisotropy"},
                                                      {"compared", "compared depth"}});
 constexpr auto sharedPieces = std::to_array<Declared>({{"finite(", "finite"},
+                                                       {"finiteDirection(", "finiteDirection"},
                                                        {"repeated(", "repeated"},
                                                        {"mirrored(", "mirrored"},
                                                        {"clampedToEdge(", "clampedToEdge"},
@@ -160,7 +161,7 @@ private:
     }
 
     void writeSample(bool minifies) const {
-        add("begin sample");
+        add("begin sample", {{"FINITE", target_ == Target::CubeMap ? "finiteDirection" : "finite"}});
         if (unit_.compares)
             add("compares r");
         if (!minifies)

@@ -32,7 +32,8 @@ void split(std::string_view text, char separator, auto each) {
 
 Result<ShaderPieces> ShaderPieces::parse(std::span<const ShaderFile> files) {
     for (const ShaderFile& wanted : embeddedShaderFiles()) {
-        if (std::ranges::find(files, wanted.name, &ShaderFile::name) == files.end())
+        const bool isNeeded = wanted.name != "sampling.glsl"; // which only OpenGL ES reads
+        if (isNeeded && std::ranges::find(files, wanted.name, &ShaderFile::name) == files.end())
             return fail(ErrorCode::NotFound, "the shaders need this file, which is missing",
                         inFile(wanted.name));
     }

@@ -2,7 +2,9 @@
 // reference: they agree on it as conform asks of a scene of its sweeps. What is left out, conform's rows of
 // skips leave out, each with its reason.
 
+#include "app/gles/scene_painter.h"
 #include "app/view/driver_facts.h"
+#include "tests/support/gl_device.h"
 #include "tests/support/render_fixture.h"
 #include "texplorer/conform/judge.h"
 #include "texplorer/conform/skip.h"
@@ -47,6 +49,13 @@ bool hasLines(const Scene& scene) {
     });
 }
 
+/// Browsers draw them one pixel wide.
+bool hasWideLines(const Scene& scene) {
+    return hasLines(scene) && std::ranges::any_of(scene.models, [](const Model& model) {
+               return model.visible && model.lineWidth > 1;
+           });
+}
+
 /// Anisotropy may be filtered in any way, lines have ends that are snapped; the others have lambda alone that
 /// a driver may round, and their passes.
 conform::Rule ruleOf(const Scene& scene) {
@@ -72,11 +81,6 @@ protected:
                                      view::driverFacts(capabilities)};
         if (conform::skipOf(step.scene, {testedRenderer(), RendererKind::Reference}, driver))
             return;
-        const Result<view::Frame> frame = renderer->draw(step.scene, step.images, 0, extent);
-        ASSERT_TRUE(frame) << describe(frame.error());
-        EXPECT_THAT(frame->problems, onlyNotKept());
-        const Result<Image> theirs = renderer->read();
-        ASSERT_TRUE(theirs) << describe(theirs.error());
         const auto reference = conform::referenceRendererFor({.scene = {},
                                                               .images = step.images,
                                                               .width = extent.width,
@@ -85,14 +89,33 @@ protected:
         const Result<Frame> ours = reference->draw(step.scene);
         ASSERT_TRUE(ours) << describe(ours.error());
         EXPECT_THAT(ours->problems, onlyNotKept());
+        expectAgreement(step, *renderer, *reference, ours->image);
+        if (testedRenderer() != RendererKind::Shader || hasWideLines(step.scene))
+            return;
+        SCOPED_TRACE("as browsers draw it");
+        gles::ScenePainter painter(device_);
+        const auto probing = conform::referenceRendererFor(
+            {.scene = {}, .images = step.images, .width = extent.width, .height = extent.height});
+        expectAgreement(step, painter, *probing, probing->draw(step.scene)->image);
+    }
+
+private:
+    void expectAgreement(const lesson::LessonScene& step, auto& tested, conform::Explainer& reference,
+                         const Image& ours) {
+        const Result<view::Frame> frame = tested.draw(step.scene, step.images, 0, extent);
+        ASSERT_TRUE(frame) << describe(frame.error());
+        EXPECT_THAT(frame->problems, onlyNotKept());
+        const Result<Image> theirs = tested.read();
+        ASSERT_TRUE(theirs) << describe(theirs.error());
         const conform::Rule rule = ruleOf(step.scene);
-        const Result<conform::Judgement> judged =
-            conform::judge(rule, step.scene, ours->image, *theirs, *reference);
+        const Result<conform::Judgement> judged = conform::judge(rule, step.scene, ours, *theirs, reference);
         ASSERT_TRUE(judged) << describe(judged.error());
         const auto pixels = static_cast<double>(judged->difference.pixels);
         EXPECT_LE(static_cast<double>(judged->unexplained) / pixels, 1 - rule.explainedScene)
             << "by " << rule.name << ", the worst by " << judged->difference.max;
     }
+
+    GlDevice device_;
 };
 
 TEST_P(Lessons, AreDrawnAlikeByEveryRenderer) {

@@ -1,5 +1,6 @@
 // The renderer of browsers, which samples textures in its shaders, drawn here by OpenGL: it agrees with the
-// reference on conform's scenes and on every lesson, by the rules that conform has for drivers.
+// reference on scenes of all of conform's features, by the rules for drivers. lessons_test.cpp has the
+// lessons.
 
 #include "app/gles/scene_painter.h"
 #include "tests/support/flat_scene.h"

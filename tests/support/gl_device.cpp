@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cassert>
+#include <ranges>
 
 namespace texplorer::test {
 
@@ -14,6 +15,12 @@ int GlDevice::maxTextureSize() const {
     GLint size = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
     return size;
+}
+
+int GlDevice::maxPointSize() const {
+    std::array<GLint, 2> range{};
+    glGetIntegerv(GL_ALIASED_POINT_SIZE_RANGE, range.data());
+    return range[1];
 }
 
 unsigned GlDevice::makeTexels(std::span<const std::byte> texels, int rows, bool floats) {
@@ -164,6 +171,7 @@ void GlDevice::setTexels(int unit, unsigned texels) {
 
 void GlDevice::setAttribute(unsigned location, unsigned buffer, int components, int stride,
                             std::size_t offset) {
+    enabled_[location] = buffer;
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(
@@ -172,11 +180,14 @@ void GlDevice::setAttribute(unsigned location, unsigned buffer, int components, 
 }
 
 void GlDevice::setAttribute(unsigned location, const glm::vec4& value) {
+    enabled_.erase(location);
     glDisableVertexAttribArray(location);
     glVertexAttrib4f(location, value.r, value.g, value.b, value.a);
 }
 
 void GlDevice::draw(int corners, unsigned indices, std::size_t first, std::size_t count) {
+    for (const unsigned buffer : enabled_ | std::views::values)
+        assert(glIsBuffer(buffer)); // else WebGL refuses to draw
     constexpr std::array<GLenum, 3> primitives{GL_POINTS, GL_LINES, GL_TRIANGLES};
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
     glDrawElements(primitives.at(static_cast<std::size_t>(corners - 1)), static_cast<GLsizei>(count),

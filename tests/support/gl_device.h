@@ -8,11 +8,12 @@
 
 namespace texplorer::test {
 
-/// A gles::Device on the current context, whose driver has GL_ARB_ES3_compatibility. Asserts what it is
-/// called with.
+/// A gles::Device on the current context, whose driver has GL_ARB_ES3_compatibility. Asserts what WebGL
+/// refuses.
 class GlDevice final : public gles::Device {
 public:
     [[nodiscard]] int maxTextureSize() const override;
+    [[nodiscard]] int maxPointSize() const override;
     [[nodiscard]] unsigned makeTexels(std::span<const std::byte> texels, int rows, bool floats) override;
     void dropTexels(unsigned name) override;
     [[nodiscard]] unsigned makeBuffer(view::BufferKind kind, std::span<const std::byte> content) override;
@@ -42,7 +43,8 @@ private:
         unsigned depth = 0;
     };
 
-    std::map<unsigned, Target> targets_; ///< by framebuffer
+    std::map<unsigned, Target> targets_;   ///< by framebuffer
+    std::map<unsigned, unsigned> enabled_; ///< buffers by attribute, which stay from one frame to the next
     unsigned program_ = 0;
     std::optional<render::StateGuard> guard_;
 };

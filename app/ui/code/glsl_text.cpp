@@ -9,14 +9,14 @@ using namespace std::string_view_literals;
 namespace texplorer::ui {
 namespace {
 
-/// Keywords of GLSL 3.30 that the shaders use, in the order of std::string_view's <.
+/// Keywords of GLSL 3.30 and GLSL ES 3.00 that the shaders use, in the order of std::string_view's <.
 constexpr std::array keywords{
-    "#define"sv,   "#version"sv,  "bool"sv,      "bvec3"sv,         "bvec4"sv,  "const"sv,
-    "core"sv,      "discard"sv,   "else"sv,      "false"sv,         "flat"sv,   "float"sv,
-    "for"sv,       "if"sv,        "in"sv,        "inout"sv,         "int"sv,    "ivec2"sv,
-    "layout"sv,    "mat3"sv,      "mat4"sv,      "noperspective"sv, "out"sv,    "return"sv,
-    "sampler1D"sv, "sampler2D"sv, "sampler3D"sv, "samplerCube"sv,   "smooth"sv, "true"sv,
-    "uniform"sv,   "vec2"sv,      "vec3"sv,      "vec4"sv,          "void"sv,   "while"sv};
+    "#define"sv, "#version"sv,  "bool"sv,      "bvec2"sv,     "bvec3"sv,         "bvec4"sv,  "const"sv,
+    "core"sv,    "discard"sv,   "else"sv,      "false"sv,     "flat"sv,          "float"sv,  "for"sv,
+    "highp"sv,   "if"sv,        "in"sv,        "inout"sv,     "int"sv,           "ivec2"sv,  "ivec3"sv,
+    "ivec4"sv,   "layout"sv,    "mat3"sv,      "mat4"sv,      "noperspective"sv, "out"sv,    "precision"sv,
+    "return"sv,  "sampler1D"sv, "sampler2D"sv, "sampler3D"sv, "samplerCube"sv,   "smooth"sv, "true"sv,
+    "uniform"sv, "vec2"sv,      "vec3"sv,      "vec4"sv,      "void"sv,          "while"sv};
 static_assert(std::ranges::is_sorted(keywords));
 
 bool isWordCharacter(char c) {

@@ -119,7 +119,10 @@ export class Panels {
             this.#canvas.height = height;
         }
         this.#density = density;
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+        gl.bindVertexArray(null);
         gl.viewport(0, 0, width, height);
+        gl.disable(gl.DEPTH_TEST);
         gl.disable(gl.SCISSOR_TEST);
         gl.clearColor(red, green, blue, 1);
         gl.clear(gl.COLOR_BUFFER_BIT);

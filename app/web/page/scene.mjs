@@ -16,6 +16,8 @@ export class SceneDevice {
     #log = '';
     #array;
     #program = null;
+    #maxTextureSize = 2048; // what WebGL 2 promises
+    #maxPointSize = 1;
 
     constructor(gl, textures, memory) {
         this.#gl = gl;
@@ -29,13 +31,17 @@ export class SceneDevice {
         this.#buffers.clear();
         this.#programs.clear();
         this.#targets.clear();
-        this.#array = this.#gl.createVertexArray();
+        const gl = this.#gl;
+        this.#array = gl.createVertexArray();
+        this.#maxTextureSize = gl.getParameter(gl.MAX_TEXTURE_SIZE) ?? this.#maxTextureSize;
+        this.#maxPointSize = gl.getParameter(gl.ALIASED_POINT_SIZE_RANGE)?.[1] ?? this.#maxPointSize;
     }
 
     #bytes(at, length) { return new Uint8Array(this.#memory(), at, length); }
-    #text(at, length) { return this.#decoder.decode(this.#bytes(at, length).slice()); }
+    #text(at, length) { return this.#decoder.decode(this.#bytes(at, length)); }
 
-    maxTextureSize() { return this.#gl.getParameter(this.#gl.MAX_TEXTURE_SIZE); }
+    maxTextureSize() { return this.#maxTextureSize; }
+    maxPointSize() { return this.#maxPointSize; }
 
     makeTexels(at, width, height, floats) {
         const gl = this.#gl;
@@ -46,7 +52,7 @@ export class SceneDevice {
         gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
         gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
         const count = width * height * 4;
-        gl.getError();
+        for (let i = 0; i < 16 && gl.getError() !== gl.NO_ERROR; ++i); // older ones
         if (floats)
             gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, height, 0, gl.RGBA, gl.FLOAT, new Float32Array(this.#memory(), at, count));
         else
@@ -75,6 +81,10 @@ export class SceneDevice {
 
     makeProgram(vertexAt, vertexLength, fragmentAt, fragmentLength) {
         const gl = this.#gl;
+        if (gl.isContextLost()) {
+            this.#log = 'The browser has taken the graphics away.';
+            return 0;
+        }
         const program = gl.createProgram();
         this.#log = '';
         const stages = [[gl.VERTEX_SHADER, this.#text(vertexAt, vertexLength)], [gl.FRAGMENT_SHADER, this.#text(fragmentAt, fragmentLength)]];

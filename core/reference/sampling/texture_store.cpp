@@ -9,6 +9,14 @@
 
 namespace texplorer::reference {
 
+bool isSampled(const Scene& scene, std::size_t texture, Target target) {
+    return std::ranges::any_of(scene.passes, [&](const Pass& pass) {
+        return pass.enabled && std::ranges::any_of(pass.units, [&](const Unit& unit) {
+                   return unit.enabled && std::cmp_equal(unit.texture, texture) && unit.target == target;
+               });
+    });
+}
+
 /// Without pictures where the work was stopped: the next one asks again.
 TextureStore::Slot TextureStore::filled(TexturePictures pictures, Texture settings, Target target,
                                         const LevelWork& work, const std::string& where) {
@@ -69,12 +77,7 @@ const StoredTexture* TextureStore::prepare(const Scene& scene, std::size_t index
 
 void TextureStore::keepOnly(const Scene& scene) {
     std::erase_if(slots_, [&scene](const auto& entry) {
-        const auto& [index, target] = entry.first;
-        return std::ranges::none_of(scene.passes, [&, index = index, target = target](const Pass& pass) {
-            return pass.enabled && std::ranges::any_of(pass.units, [&](const Unit& unit) {
-                       return unit.enabled && std::cmp_equal(unit.texture, index) && unit.target == target;
-                   });
-        });
+        return !isSampled(scene, entry.first.first, entry.first.second);
     });
 }
 

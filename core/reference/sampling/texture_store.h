@@ -22,6 +22,9 @@ struct StoredTexture {
     std::shared_ptr<const TextureLevels> uploaded{};
 };
 
+/// Whether an enabled unit of a pass that is drawn samples this texture.
+[[nodiscard]] bool isSampled(const Scene& scene, std::size_t texture, Target target);
+
 /// The sampled textures of a scene, one for each texture and target. Levels are made again if the pixels or
 /// the settings that change them (imageSettings) have changed.
 class TextureStore {
