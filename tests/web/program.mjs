@@ -1,0 +1,186 @@
+// The program of a page without a browser: what it calls is recorded, its files are the page's own storage.
+
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { webcrypto } from 'node:crypto';
+
+const WIDTH = 640; // small: most of a frame's time are the pixels of the scene
+const HEIGHT = 400;
+const MOST_FRAMES = 12; // that follow each other: an animation has no end
+const BLOCK = 65536;
+const AT_ONCE = 0.015; // seconds: the page does not wait for less
+
+const FONTS = {
+    'DejaVuSans.ttf': '/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf',
+    'DejaVuSansMono.ttf': '/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf',
+    'Chinese.ttf': '/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf',
+};
+
+const encoder = new TextEncoder();
+const decoder = new TextDecoder('utf-8', { fatal: true });
+
+// A built page. Its modules are loaded from a copy: node takes .js for modules only where a package says so.
+export class Page {
+    static async load(folder) {
+        const page = new Page();
+        const copy = mkdtempSync(join(tmpdir(), 'texplorer-'));
+        try {
+            writeFileSync(join(copy, 'package.json'), '{ "type": "module" }');
+            for (const name of ['storage.mjs', 'wasi'])
+                cpSync(join(folder, name), join(copy, name), { recursive: true });
+            const load = (name) => import(pathToFileURL(join(copy, name)));
+            globalThis.crypto ??= webcrypto; // node 18 has none
+            ({ Storage: page.Storage } = await load('storage.mjs'));
+            ({ WASI: page.WASI, ConsoleStdout: page.ConsoleStdout } = await load('wasi/index.js'));
+        } finally {
+            rmSync(copy, { recursive: true });
+        }
+        page.module = await WebAssembly.compile(readFileSync(join(folder, 'texplorer.wasm')));
+        page.fonts = Object.entries(FONTS).map(([name, path]) => [path, readFileSync(join(folder, 'fonts', name))]);
+        return page;
+    }
+}
+
+export class Program {
+    calls = new Map(); // name of a function of the page → how often it was called
+    spoken = null; // the last stage::Spoken
+    posted = []; // messages to the page around this one, as texts
+    copied = null; // the clipboard's text
+    log = []; // lines that were written to the console
+    #exports;
+
+    // `storage` is that of a program before: the page is opened again.
+    constructor(page, { language = 'en', storage } = {}) {
+        this.storage = storage ?? new page.Storage((error) => { throw error; });
+        for (const [path, font] of page.fonts)
+            this.storage.write(path, font);
+        const log = page.ConsoleStdout.lineBuffered((line) => this.log.push(line));
+        const wasi = new page.WASI([], ['HOME=/home', 'XDG_STATE_HOME=/home/state', 'XDG_CONFIG_HOME=/home/config',
+            `LANG=${language}.UTF-8`], [log, log, log, this.storage.root], { debug: false });
+        const instance = new WebAssembly.Instance(page.module,
+            { wasi_snapshot_preview1: wasi.wasiImport, browser: this.#browser(page.module) });
+        this.#exports = instance.exports;
+        wasi.initialize(instance);
+        this.call('start', WIDTH, HEIGHT, WIDTH, HEIGHT, 1, ...this.copyIn('https://example.org/'));
+    }
+
+    // A function for each that the program names, so that a new one needs no change here.
+    #browser(module) {
+        let made = 0;
+        const known = {
+            maxTextureSize: () => 8192,
+            speak: (at, length) => { this.spoken = JSON.parse(this.#textAt(at, length)); },
+            postMessage: (at, length) => { this.posted.push(this.#textAt(at, length)); },
+            writeClipboard: (at, length) => { this.copied = this.#textAt(at, length); },
+        };
+        const browser = {};
+        for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {
+            if (from !== 'browser' || kind !== 'function')
+                continue;
+            const act = known[name] ?? (name.startsWith('make') ? () => ++made : () => 0);
+            browser[name] = (...values) => {
+                this.calls.set(name, this.count(name) + 1);
+                return act(...values);
+            };
+        }
+        return browser;
+    }
+
+    count(name) { return this.calls.get(name) ?? 0; }
+    get memory() { return this.#exports.memory.buffer.byteLength; }
+
+    // The bytes in use: what can't be taken without more memory. The memory itself says little, for much of it is free.
+    get used() {
+        const before = this.memory;
+        const taken = [];
+        while (this.memory === before)
+            taken.push(this.call('allocate', BLOCK));
+        for (const at of taken)
+            this.call('clipboardChanged', at, 0); // frees it
+        return before - (taken.length - 1) * BLOCK;
+    }
+
+    #textAt(at, length) { return decoder.decode(new Uint8Array(this.#exports.memory.buffer).slice(at, at + length)); }
+
+    // What the program throws, a trap too, ends the test.
+    call(name, ...values) { return this.#exports[name](...values); }
+
+    // Memory of the program that a call takes over: its address and length.
+    copyIn(content) {
+        const taken = typeof content === 'string' ? encoder.encode(content) : content;
+        const at = this.call('allocate', taken.length);
+        if (at === 0)
+            throw new Error(`no memory for ${taken.length} bytes`);
+        new Uint8Array(this.#exports.memory.buffer).set(taken, at);
+        return [at, taken.length];
+    }
+
+    // Draws what is due, as the page does. Returns after how many seconds the next frame is due; below 0: after an event.
+    draw() {
+        let wait = 0;
+        for (let i = 0; i < MOST_FRAMES && wait >= 0 && wait < AT_ONCE; ++i)
+            wait = this.call('step');
+        return wait;
+    }
+
+    open(address) {
+        this.call('openAddress', ...this.copyIn(address));
+        this.draw();
+    }
+
+    // The answer to a message, which is a text, bytes or a value.
+    send(message) {
+        const before = this.posted.length;
+        const isPlain = typeof message === 'string' || message instanceof Uint8Array;
+        this.call('receive', ...this.copyIn(isPlain ? message : JSON.stringify(message)));
+        if (this.posted.length !== before + 1)
+            throw new Error(`${this.posted.length - before} answers`);
+        return JSON.parse(this.posted.at(-1));
+    }
+
+    get scene() { return this.send({ texplorer: 1, do: 'read' }).scene; }
+    set(path, value) { return this.send({ texplorer: 1, do: 'set', path, value }); }
+
+    press(code, modifiers = 0) {
+        this.call('keyChanged', 0, code, modifiers);
+        this.call('keyChanged', 2, code, modifiers);
+        this.draw();
+    }
+
+    give(files) {
+        for (const [name, bytes] of Object.entries(files))
+            this.call('addFile', ...this.copyIn(name), ...this.copyIn(bytes));
+        this.call('filesGiven', 0);
+        this.draw();
+    }
+
+    // The middle of a widget, or null if it is not seen. The first time, a frame tells where widgets are.
+    find(name) {
+        this.call('placeOf', ...this.copyIn(name), 0);
+        this.draw();
+        const edges = [0, 1, 2, 3].map((edge) => this.call('placeOf', ...this.copyIn(name), edge));
+        return edges[0] < 0 ? null : [(edges[0] + edges[2]) / 2, (edges[1] + edges[3]) / 2];
+    }
+
+    click(name) {
+        const middle = this.find(name);
+        if (!middle)
+            throw new Error(`${name} is not seen`);
+        this.call('pointerMoved', ...middle);
+        this.draw();
+        this.call('buttonChanged', 0, 1, 0);
+        this.call('buttonChanged', 0, 0, 0);
+        this.draw();
+    }
+
+    // The paths and contents of the files below a folder.
+    files(path) {
+        let folder = this.storage.root.dir;
+        for (const name of path.split('/').filter(Boolean))
+            folder = folder.contents.get(name);
+        return new Map([...folder.contents].flatMap(([name, each]) =>
+            (each.contents ? [...this.files(`${path}/${name}`)] : [[`${path}/${name}`, each.data]])));
+    }
+}
