@@ -6,6 +6,7 @@
 #include "app/ui/state/lesson_records.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/scene/params/json.h"
+#include "texplorer/scene/params/param_text.h"
 #include "texplorer/scene/storage/scene_link.h"
 
 #include <nlohmann/json.hpp>
@@ -103,7 +104,8 @@ Result<Json> run(ui::Session& session, const Json& message) {
         return fail(name.error());
     const auto* action = std::ranges::find(actions, *name, &Action::name);
     if (action == actions.end())
-        return fail(ErrorCode::NotFound, Sentence("expected set, load, open or read, found \"{0}\"", *name),
+        return fail(ErrorCode::NotFound,
+                    Sentence("expected set, load, open or read, found \"{0}\"", shortened(*name)),
                     atName("do"));
     return action->run(session, message);
 }
@@ -117,7 +119,7 @@ std::string answerMessage(ui::Session& session, std::string_view text) {
         answer["error"] = "expected a JSON object of at most 32 levels";
         return textOf(answer);
     }
-    if (const auto id = message.find("id"); id != message.end() && id->is_primitive())
+    if (const auto id = message.find("id"); id != message.end() && (id->is_string() || id->is_number()))
         answer["id"] = *id;
     const Result<Json> done = run(session, message);
     if (done)

@@ -1,6 +1,7 @@
 #include "texplorer/lesson/lesson_files.h"
 
 #include "texplorer/files/file_io.h"
+#include "texplorer/scene/params/param_text.h"
 #include "texplorer/text/nearest_name.h"
 
 #include <algorithm>
@@ -49,14 +50,15 @@ std::vector<std::string> builtInLessons() {
 Result<LessonFolder> LessonFolder::builtIn(std::string_view name, fs::path installed) {
     const std::vector<std::string> names = builtInLessons();
     if (std::ranges::find(names, name) == names.end()) {
-        const std::string_view near = nearestName(name, {names.begin(), names.end()});
+        const std::string given = shortened(name);
+        const std::string_view near = nearestName(given, {names.begin(), names.end()});
         std::string list;
         for (const std::string& each : names)
             list += (list.empty() ? "" : ", ") + each;
         return fail(ErrorCode::NotFound,
                     near.empty()
-                        ? Sentence("expected one of {0}, found \"{1}\"", ProperName{list}, ProperName{name})
-                        : Sentence("there is no lesson \"{0}\"; did you mean \"{1}\"?", ProperName{name},
+                        ? Sentence("expected one of {0}, found \"{1}\"", ProperName{list}, ProperName{given})
+                        : Sentence("there is no lesson \"{0}\"; did you mean \"{1}\"?", ProperName{given},
                                    ProperName{near}));
     }
     LessonFolder folder;

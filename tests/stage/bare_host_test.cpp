@@ -310,9 +310,9 @@ TEST_F(BareHostTest, AnAddressThatNamesNothingIsRefused) {
     const Scene before = scene();
     for (const auto& [address, said] :
          {std::pair("texplorer:1:%", "damaged"), std::pair("lesson=first", "first-texture"),
-          std::pair("lesson=wrap&step=0", "from 1"), std::pair("lesson=wrap&step=x", "from 1"),
-          std::pair("step=2", "lesson=NAME"), std::pair("a=b", "lesson=NAME"),
-          std::pair("=&=", "lesson=NAME")}) {
+          std::pair("lesson=wrap&step=0", "from 1"), std::pair("lesson=wrap&step=99", "from 1 to"),
+          std::pair("lesson=wrap&step=x", "from 1"), std::pair("step=2", "lesson=NAME"),
+          std::pair("a=b", "lesson=NAME"), std::pair("=&=", "lesson=NAME")}) {
         const Result<void> opened = ui::openAddress(host.session, address);
         ASSERT_FALSE(opened) << address;
         EXPECT_THAT(describe(opened.error()).english(), HasSubstr(said));

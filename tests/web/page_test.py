@@ -4,17 +4,19 @@
 import functools
 import http.server
 import io
+import json
 import pathlib
 import sys
 import tempfile
 import threading
 import unittest
 
-from PIL import Image
+from PIL import Image, ImageChops
 
 from browser import Browser
 
 PAGE = pathlib.Path()
+SCENES = pathlib.Path(__file__).resolve().parents[2] / "assets/scenes"
 MOUSE = 0
 
 
@@ -251,6 +253,38 @@ class Files(PageTest):
     def test_a_damaged_link_is_a_message(self):
         self.open("#texplorer:1:AAAA")
         self.until(lambda: "damaged" in self.spoken("#status"))
+
+
+class Renderers(PageTest):
+    SCENES = ["checker", "cube", "environment", "fog", "internal-formats", "line", "marble", "seamless", "texsub"]
+
+    def view(self, renderer):
+        for old in self.downloads.glob("texplorer-*.png"):
+            old.unlink()
+        self.click(f"renderer:{renderer}")
+        self.click("menu:File")
+        self.click("menu:Picture of the view")
+        return Image.open(self.downloaded("texplorer-*.png")).convert("RGB")
+
+    def test_shaders_draw_what_the_reference_draws(self):
+        self.open()
+        for name in self.SCENES:
+            with self.subTest(name):
+                scene = json.loads((SCENES / f"{name}.json").read_text(encoding="utf-8"))
+                self.assertNotIn("error", self.send(do="load", scene=scene))
+                shader, reference = self.view("shader"), self.view("reference")
+                self.assertEqual(shader.size, reference.size)
+                self.assertGreater(len(set(reference.getdata())), 2)
+                far = sum(max(each) > 8 for each in ImageChops.difference(shader, reference).getdata())
+                self.assertLess(far, 0.01 * shader.width * shader.height)
+        ours = [each for each in self.browser.complaints() if "GL Driver Message" not in each]
+        self.assertEqual(ours, [])
+
+    def test_shaders_are_shown(self):
+        self.open()
+        self.click("renderer:shader")
+        self.click("tab:GLSL")
+        self.until(lambda: self.browser.script("return texplorer.place('glsl:1')") is not None)
 
 
 class Lessons(PageTest):

@@ -3,6 +3,7 @@
 #include "app/ui/files/asking.h"
 #include "app/ui/files/scene_files.h"
 #include "texplorer/lesson/lesson_files.h"
+#include "texplorer/scene/params/param_text.h"
 #include "texplorer/scene/storage/scene_link.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ constexpr std::string_view embedded = "embed"; // for a frame in another page: t
 Error unexpected(std::string_view found) {
     return {ErrorCode::Malformed,
             Sentence("expected a link to a scene, or lesson=NAME, step=NUMBER and layout=NAME, found \"{0}\"",
-                     found),
+                     shortened(found)),
             {}};
 }
 
@@ -35,8 +36,8 @@ Result<std::size_t> stepIn(std::string_view text) {
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, number);
     if (error != std::errc() || stop != end || number == 0)
-        return fail(ErrorCode::Malformed, Sentence("expected a number from 1, found \"{0}\"", text),
-                    atName("step"));
+        return fail(ErrorCode::Malformed,
+                    Sentence("expected a number from 1, found \"{0}\"", shortened(text)), atName("step"));
     return number - 1;
 }
 
@@ -45,7 +46,7 @@ Result<const LayoutRow*> layoutIn(std::string_view text) {
     const auto* row = std::ranges::find(layoutRows, name, &LayoutRow::name);
     if (row == layoutRows.end())
         return fail(ErrorCode::NotFound,
-                    Sentence("expected embed, minimal, student or teacher, found \"{0}\"", text),
+                    Sentence("expected embed, minimal, student or teacher, found \"{0}\"", shortened(text)),
                     atName("layout"));
     return row;
 }
@@ -94,8 +95,15 @@ Result<void> openAddress(Session& session, std::string_view address) {
         choose(session);
         return {};
     }
-    if (const auto known = lesson::LessonFolder::builtIn(named->lesson); !known)
-        return fail(known.error());
+    const Result<lesson::Lesson> lesson =
+        lesson::LessonFolder::builtIn(named->lesson).and_then(lesson::readLesson);
+    if (!lesson)
+        return fail(lesson.error());
+    if (named->step && *named->step >= lesson->steps.size())
+        return fail(
+            ErrorCode::OutOfRange,
+            Sentence("expected a number from 1 to {0}, found {1}", lesson->steps.size(), *named->step + 1),
+            atName("step"));
     askLesson(session, named->lesson, named->step);
     choose(session);
     return {};

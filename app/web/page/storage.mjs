@@ -1,7 +1,7 @@
 // The program's files: a file system in memory. What it keeps (settings, recent files, unsaved work) and what the user has
 // given it is stored in IndexedDB after every change, so that it survives the page.
 
-import { Directory, File, PreopenDirectory } from './wasi/index.js';
+import { Directory, File, OpenDirectory, PreopenDirectory } from './wasi/index.js';
 
 const DATABASE = `texplorer ${new URL('.', import.meta.url).pathname}`; // each folder of a server has its own
 const STORE = 'files';
@@ -21,6 +21,14 @@ File.prototype.stat = function stat() {
         this.written = now();
     }
     return Object.assign(plainStat.call(this), { mtim: this.written, nlink: 1n });
+};
+
+// The program may write in every folder: what it asks for is what the files of a folder inherit.
+const plainFdstat = OpenDirectory.prototype.fd_fdstat_get;
+OpenDirectory.prototype.fd_fdstat_get = function fdstat() {
+    const answer = plainFdstat.call(this);
+    answer.fdstat.fs_rights_inherited = 0xffffffffffffffffn;
+    return answer;
 };
 
 function folderOf(root, path, make) {
