@@ -1,6 +1,7 @@
 #include "app/gles/scene_painter.h"
 
-#include "app/gles/texel_list.h"
+#include "app/gles/object.h"
+#include "app/gles/texture_lists.h"
 #include "app/view/shader_uniforms.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/glsl/shader_source.h"
@@ -9,7 +10,6 @@
 #include "texplorer/reference/light_depth.h"
 #include "texplorer/reference/raster/triangle.h"
 #include "texplorer/reference/sampling/lod.h"
-#include "texplorer/reference/sampling/texture_store.h"
 #include "texplorer/scene/drawn_models.h"
 #include "texplorer/scene/params/scene_at.h"
 #include "texplorer/scene/pass_pictures.h"
@@ -30,16 +30,6 @@
 namespace texplorer::gles {
 
 namespace {
-
-/// An object of the device, dropped with the last owner.
-using Object = std::shared_ptr<const unsigned>;
-
-Object own(Device& device, unsigned name, void (Device::*drop)(unsigned)) {
-    return {new unsigned(name), [&device, drop](const unsigned* at) {
-                (device.*drop)(*at);
-                delete at;
-            }};
-}
 
 /// The uniforms of the program in use.
 class Uniforms {
@@ -65,20 +55,6 @@ private:
     Device& device_;
 };
 
-/// A texture of the scene on the device.
-struct Listed {
-    std::uint64_t version = 0; ///< of reference::StoredTexture
-    Object texels;             ///< nullptr: the device can't hold them
-    std::vector<std::optional<glm::ivec4>> levels;
-    bool isUnclamped = false; ///< its texels may lie outside 0 … 1
-    Sentence problem;
-};
-
-/// What a unit samples.
-struct BoundTexture {
-    const reference::StoredTexture* stored = nullptr; ///< nullptr: nothing
-    const Listed* listed = nullptr;
-};
 using BoundTextures = std::array<BoundTexture, maxUnits>;
 
 glsl::SampledUnit sampledUnit(const BoundTexture& bound, const Pass& pass) {
@@ -124,7 +100,7 @@ private:
 };
 
 /// The levels that minification uses, from the base level on.
-std::vector<glm::ivec4> listedLevels(const Listed& listed, const reference::SampledTexture& texture,
+std::vector<glm::ivec4> listedLevels(const ListedTexture& listed, const reference::SampledTexture& texture,
                                      int last) {
     std::vector<glm::ivec4> levels;
     for (int number = texture.baseLevel; number <= last && std::cmp_less(number, listed.levels.size()) &&
@@ -157,7 +133,8 @@ struct ScenePainter::State {
         : device(given)
         , buffers([this](view::BufferKind kind, std::span<const std::byte> content) {
             return own(device, device.makeBuffer(kind, content), &Device::dropBuffer);
-        }) {}
+        })
+        , textures(given) {}
 
     struct Surface {
         view::Size size;
@@ -184,7 +161,6 @@ struct ScenePainter::State {
     Result<view::Frame> drawFrame(const Scene& scene, const Scene& standing, const ImageSource& images,
                                   double time, view::Size size);
     BoundTextures texturesOf(const Scene& scene, std::size_t pass, const ImageSource& images);
-    const Listed& listedOf(const reference::StoredTexture& stored, std::size_t texture);
     const Compiled* compiled(const Scene& scene, std::size_t pass, const BoundTextures& bound);
     void report(Sentence sentence);
 
@@ -192,10 +168,9 @@ struct ScenePainter::State {
     view::ModelBuffers buffers;
     Surface target;
     Surface pictures; ///< that textures show
-    reference::TextureStore textures;
+    TextureLists textures;
     reference::LightDepths lightDepths;
     reference::DrawnPictures drawnPictures;
-    std::map<std::pair<std::size_t, Target>, Listed> lists;
     std::map<std::pair<std::string, std::string>, Compiled> programs; ///< by their two sources
     std::vector<std::shared_ptr<const view::PassShader>> shaders;     ///< of the current frame, by pass
     std::vector<Sentence> problems;                                   ///< of the current frame
@@ -265,9 +240,6 @@ Result<view::Frame> ScenePainter::State::drawFrame(const Scene& scene, const Sce
     shaders.assign(standing.passes.size(), nullptr);
     buffers.beginFrame();
     textures.keepOnly(standing);
-    std::erase_if(lists, [&standing](const auto& entry) {
-        return !reference::isSampled(standing, entry.first.first, entry.first.second);
-    });
     const auto drawPicture = [this](const Scene& picture, const ImageSource& known, double then,
                                     int extent) -> Result<Image> {
         if (const Result<void> done = drawScene(pictures, picture, known, then, {extent, extent}); !done)
@@ -398,40 +370,10 @@ BoundTextures ScenePainter::State::texturesOf(const Scene& scene, std::size_t pa
                 passIndex, u, unit.texture, scene.textures.size()));
             continue;
         }
-        const auto index = static_cast<std::size_t>(unit.texture);
-        const reference::StoredTexture* stored =
-            textures.prepare(scene, index, unit.target, images, LevelWork{}, problems);
-        if (!stored || !stored->complete)
-            continue;
-        const Listed& listed = listedOf(*stored, index);
-        if (!listed.texels)
-            report(Sentence("{0}: {1}", ProperName{fmt::format("textures[{}]", index)}, listed.problem));
-        else
-            bound[u] = {stored, &listed};
+        bound[u] =
+            textures.prepare(scene, static_cast<std::size_t>(unit.texture), unit.target, images, problems);
     }
     return bound;
-}
-
-const Listed& ScenePainter::State::listedOf(const reference::StoredTexture& stored, std::size_t texture) {
-    Listed& listed = lists[{texture, stored.sampled.target}];
-    if (listed.version == stored.version)
-        return listed;
-    listed = {}; // before the new one takes its memory
-    Listed next;
-    const std::size_t count = texelCount(stored.sampled);
-    unsigned made = 0;
-    if (std::cmp_less_equal(rowsFor(count), device.maxTextureSize())) {
-        TexelList list = texelList(stored.sampled);
-        made = device.makeTexels(list.texels, list.rows, list.floats);
-        next.levels = std::move(list.levels);
-        next.isUnclamped = list.isUnclamped;
-    }
-    if (made == 0)
-        next.problem = Sentence("the browser can't hold its {0} texels; drawn without it", count);
-    else
-        next.texels = own(device, made, &Device::dropTexels);
-    next.version = stored.version;
-    return listed = std::move(next);
 }
 
 /// nullptr: it can't be drawn.
