@@ -298,6 +298,18 @@ class Lessons(PageTest):
         done = next(each for each in self.send(do="read")["answers"] if each["lesson"] == "first-texture")
         self.assertTrue(done["steps"][1]["done"])
 
+    def test_a_page_around_it_sets_parameters_and_hears_of_lessons(self):
+        self.open() # over with the tour
+        self.browser.driver.get(self.server.address + "lecture.html")
+        inside = "const inner = document.querySelector('iframe').contentWindow;"
+        self.until(lambda: self.browser.script(f"{inside} return inner.document.documentElement.dataset.state") == "ready")
+        self.browser.script("document.querySelector('[data-value=GL_CLAMP]').click()")
+        self.until(lambda: "GL_CLAMP" in self.spoken("#said"))
+        scene = self.browser.script(f"{inside} return inner.texplorer.send({{texplorer: 1, do: 'read'}}).scene")
+        self.assertEqual(scene["textures"][0]["wrapS"], "GL_CLAMP")
+        self.browser.script("document.querySelector('[data-open]').click()")
+        self.until(lambda: "Step 1: 0 of" in self.spoken("#progress"))
+
     def test_an_unknown_lesson_is_a_message(self):
         self.open("#lesson=first")
         self.until(lambda: "first-texture" in self.spoken("#status"))

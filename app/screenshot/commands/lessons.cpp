@@ -37,6 +37,7 @@ struct LessonsOptions {
     std::string page;
     std::string translated; ///< the folder whose texts are written as a template
     std::string language = "en";
+    std::string window;               ///< of the page: the address that steps link to
     std::vector<std::string> lessons; ///< of the page; none: all
     const Option* pageOption = nullptr;
     const Option* checkOption = nullptr;
@@ -219,7 +220,25 @@ Result<std::vector<lesson::LessonFolder>> foldersOfPage(const LessonsOptions& op
     return folders;
 }
 
+/// An address that a link may have: of a page on the web, or relative to the lessons' page.
+Result<void> checkWindow(const std::string& address) {
+    const bool isPlain = std::ranges::none_of(address, [](unsigned char each) {
+        return each <= ' ' || each == '#' || each == '"' || each == '<' || each == '>';
+    });
+    const bool isLink = std::ranges::any_of(std::array{"http://", "https://", "./", "../"},
+                                            [&](const char* start) { return address.starts_with(start); });
+    if (address.empty() || (isPlain && isLink))
+        return {};
+    return fail(
+        ErrorCode::Malformed,
+        Sentence("expected an address without # that begins with https://, http://, ./ or ../, found {0}",
+                 inQuotes(address)),
+        atOption("--window"));
+}
+
 ExitCode writePage(const LessonsOptions& options) {
+    if (const Result<void> window = checkWindow(options.window); !window)
+        return complain(window.error(), wrongCall);
     const Result<ui::LanguageRow> language = languageNamed(options.language);
     if (!language)
         return complain(language.error(), wrongCall);
@@ -237,6 +256,7 @@ ExitCode writePage(const LessonsOptions& options) {
     const Result<std::vector<PageFile>> files =
         lessonPage({.folders = *std::move(folders),
                     .language = language->language,
+                    .window = options.window,
                     .progress = [&work](float done) { work.report(done); },
                     .stop = work.stopToken()});
     work.finish();
@@ -313,6 +333,10 @@ void addLessons(CommandLine& line) {
                                "English.",
                                fmt::join(pageLanguages(), ", ")),
                    {.value = "LANGUAGE", .needs = &page, .offers = {pageLanguages}});
+    command.option("--window", options->window,
+                   "Link each step to the window in a browser at this address, the folder that \"./dev web\" "
+                   "makes: https://example.org/texplorer/. Lessons in folders get no links.",
+                   {.value = "URL", .needs = &page});
     command.footer(
         "\"texshot shot --lesson NAME --step N\" draws a step. docs/lessons.md says how a lesson is "
         "written.\n"

@@ -64,7 +64,10 @@ Result<std::vector<PageLesson>> readLessons(const LessonPageOptions& options, co
         lessons.push_back({folder,
                            *std::move(found),
                            anchorOf(folder, lessons.size() + 1, taken),
-                           {words, *std::move(texts)}});
+                           {words, *std::move(texts)},
+                           options.window.empty() || !folder.path().empty() // the window has only its own
+                               ? std::string()
+                               : fmt::format("{}#lesson={}", options.window, folder.name())});
     }
     return lessons;
 }

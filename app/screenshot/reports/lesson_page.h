@@ -20,6 +20,7 @@ struct PageFile {
 struct LessonPageOptions {
     std::vector<lesson::LessonFolder> folders; ///< in the order in which they are shown
     ui::Language language = ui::Language::English;
+    std::string window{}; ///< the address of the window in a browser, to which steps link; empty: they do not
     std::function<void(float done)> progress; ///< called from several threads
     std::stop_token stop;
 };

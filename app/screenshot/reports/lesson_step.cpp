@@ -88,6 +88,10 @@ Result<PageStep> StepWriter::write() {
         section() += fmt::format(
             "<p class=\"source\">{}</p>\n",
             words().wordHtml(Sentence("In the window this step opens the figure {0}.", figure->label)));
+    if (!lesson_.window.empty())
+        section() += fmt::format("<p class=\"source\"><a href=\"{}\">{}</a></p>\n",
+                                 htmlOf(fmt::format("{}&step={}", lesson_.window, index_ + 1)),
+                                 words().wordHtml("Open this step in the window"));
     for (const Sentence& note : imageNotes(start_))
         section() += fmt::format("<p class=\"source\">{}</p>\n", words().wordHtml(note));
     section() += programs->excerpt + "</div>\n<div class=\"asked\">\n";

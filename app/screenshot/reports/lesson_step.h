@@ -16,6 +16,7 @@ struct PageLesson {
     lesson::Lesson lesson;
     std::string anchor; ///< what its links and files are called, "wrap"
     PageWords words;
+    std::string window{}; ///< the address of the lesson in a browser's window; empty: there is none
 };
 
 struct PageStep {

@@ -32,7 +32,8 @@ struct PaneGrid {
 /// The rectangles of all parts, computed by `layoutFor`. The panels fill the window without overlapping: menu
 /// at the top, status bar at the bottom, between them three columns with draggable seams; the middle and the
 /// right one are above the dock below. A closed panel, or one hidden by something maximised, is empty, and so
-/// is its seam.
+/// is its seam. In a narrow window that is higher than wide, they are above each other: the view, the
+/// parameters or the texture, and one dock.
 struct Layout {
     float scale = 1;
     Rect window;

@@ -23,6 +23,7 @@ constexpr float minParameters = 272;   // labels next to their controls
 constexpr float minDetails = 326;      // all tabs in one row
 constexpr float minBelow = 250;        // a card of Explain below its head
 constexpr float maxBelow = 460;
+constexpr float maxStackedWidth = 600; // of a phone held upright
 
 int pixels(float unscaled, float scale) {
     return static_cast<int>(std::lround(unscaled * scale));
@@ -126,6 +127,39 @@ void layOutRight(Layout& layout, const Rect& column, bool hasTabs, const Workspa
     layout.rightDock = {column.x, column.y + upper + seam, column.width, column.height - seam - upper};
 }
 
+bool isStacked(const Layout& layout) {
+    return static_cast<float>(layout.window.width) < maxStackedWidth * layout.scale &&
+           layout.window.height > layout.window.width;
+}
+
+/// A narrow window has no room for columns. The view is at the top, below it are the parameters or else the
+/// texture, below these the tabs: an open lesson, or those of the dock below.
+void stack(Layout& layout, const Rect& inner, const Workspace& workspace, PaneGrid grid) {
+    const bool hasLesson = frontOf(workspace, Dock::Right) == Tab::Lesson;
+    const bool tabsBelow = frontOf(workspace, Dock::Below) && !hasLesson;
+    const bool hasTabs = tabsBelow || frontOf(workspace, Dock::Right);
+    const bool hasMiddle = workspace.parameters || workspace.textureSpace;
+    const int seam = hasTabs ? std::min(pixels(seamWidth, layout.scale), inner.height / 32) : 0;
+    const float dragged = workspace.seams.below;
+    const float tabs = !hasTabs      ? 0
+                       : dragged > 0 ? std::clamp(dragged, 0.15F, 0.6F)
+                       : hasMiddle   ? 0.36F
+                                     : 0.5F;
+    const int lower = static_cast<int>(std::lround(static_cast<float>(inner.height) * tabs));
+    const int rest = inner.height - lower - seam;
+    const int view =
+        hasMiddle ? std::max(1, static_cast<int>(static_cast<float>(rest) * (hasTabs ? 0.55F : 0.5F))) : rest;
+    layout.view = {0, inner.y, inner.width, view};
+    if (hasMiddle)
+        (workspace.parameters ? layout.parameters : layout.texture) = {0, inner.y + view, inner.width,
+                                                                       rest - view};
+    if (hasTabs) {
+        layout.belowSeam = {0, inner.y + rest, inner.width, seam};
+        (tabsBelow ? layout.belowDock : layout.rightDock) = {0, inner.y + rest + seam, inner.width, lower};
+    }
+    layOutView(layout, grid);
+}
+
 } // namespace
 
 Layout layoutFor(int width, int height, float scale, const Workspace& workspace, PaneGrid grid) {
@@ -140,6 +174,16 @@ Layout layoutFor(int width, int height, float scale, const Workspace& workspace,
     layout.menu = {0, 0, width, bar};
     layout.status = {0, height - bar, width, bar};
     const Rect inner{0, bar, width, height - 2 * bar};
+
+    const Maximised maximised = maximisedOf(workspace);
+    if (isStacked(layout)) {
+        stack(layout, inner, workspace, grid);
+        if (maximised != Maximised::None) {
+            layout.parameters = {};
+            maximise(layout, maximised, inner, grid);
+        }
+        return layout;
+    }
 
     const bool tabsRight = frontOf(workspace, Dock::Right).has_value();
     const bool tabsBelow = frontOf(workspace, Dock::Below).has_value();
@@ -183,8 +227,8 @@ Layout layoutFor(int width, int height, float scale, const Workspace& workspace,
         layout.belowSeam = {middle, inner.y + upper, width - middle, belowSeam};
         layout.belowDock = {middle, inner.y + upper + belowSeam, width - middle, below};
     }
-    if (const Maximised what = maximisedOf(workspace); what != Maximised::None)
-        maximise(layout, what, inner, grid);
+    if (maximised != Maximised::None)
+        maximise(layout, maximised, inner, grid);
     return layout;
 }
 

@@ -188,8 +188,18 @@ class LessonPage(Texshot):
             self.assertIn(word, text)
             self.assertNotIn("The right answer", text)
 
+    def test_steps_link_to_the_window_in_a_browser(self):
+        address = "https://example.org/texplorer/"
+        mine = self.folder_of(LESSON)
+        links = Page(self.page("--lesson", "wrap", "--lesson", mine, "--window", address)).links
+        steps = [link for link in links if link.startswith(address)]
+        self.assertEqual(steps, [f"{address}#lesson=wrap&step={i + 1}" for i in range(len(steps))])
+        self.assertGreater(len(steps), 3)
+
     def test_what_is_wrong_is_said_and_nothing_is_written(self):
         out = self.path / "out"
+        for bad in ("javascript:alert(1)", "https://a b", "https://a#b", "ftp://a", "//a"):
+            self.complains(2, "--window: expected an address", "lessons", "--page", out, "--window", bad)
         self.complains(2, "expected one of en, zh_CN, ru, found \"de\"", "lessons", "--page", out, "--language", "de")
         self.complains(2, "--lesson: expected one of ", "lessons", "--page", out, "--lesson", "nothing")
         self.complains(2, "--check, --page", "lessons", "--page", out, "--check", self.path)

@@ -106,7 +106,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"ViewMaximised", 1280, 800, 1, named(0, Maximised::View)},
                     Case{"TextureSpaceMaximised", 1280, 800, 1, named(0, Maximised::TextureSpace)},
                     Case{"RightMaximised", 1024, 700, 1.5F, named(0, Maximised::Right)},
-                    Case{"BelowMaximised", 1024, 700, 1, named(0, Maximised::Below)},
+                    Case{"BelowMaximised", 1024, 700, 1, named(0, Maximised::Below)}, Case{"Phone", 360, 740},
+                    Case{"PhoneWithDensity", 1080, 2220, 3}, Case{"PhoneMinimal", 360, 740, 1, named(2)},
+                    Case{"PhoneMaximised", 360, 740, 1, named(0, Maximised::Below)},
+                    Case{"PhoneStarved", 360, 740, 1, dragged({1, 1, 0.01F, 0.99F})},
                     Case{"NothingToMaximise", 1280, 800, 1, named(1, Maximised::Below)}),
     [](const auto& test) { return test.param.name; });
 
@@ -166,6 +169,24 @@ TEST(Layout, WhatIsMaximisedFillsAllButTheParameters) {
     EXPECT_EQ(below.picture, usual.picture) << "who explains a pixel of it goes on to do so";
     const Layout view = layoutFor(1280, 800, 1, named(0, Maximised::View));
     EXPECT_EQ(view.view, (Rect{0, 28, 1280, 744}));
+}
+
+TEST(Layout, OfAPhoneHasViewParametersAndTabsAboveEachOther) {
+    const Layout layout = layoutFor(360, 740, 1);
+    for (const Rect& each : {layout.view, layout.parameters, layout.belowDock})
+        EXPECT_EQ(each.width, 360);
+    EXPECT_GT(layout.view.height, 200);
+    EXPECT_EQ(layout.parameters.y, layout.view.bottom());
+    EXPECT_GT(layout.parameters.height, 150);
+    EXPECT_EQ(layout.belowDock.bottom(), layout.status.y);
+    EXPECT_TRUE(layout.texture.isEmpty());
+    Workspace workspace;
+    moveTab(workspace, Tab::Lesson, Dock::Right);
+    EXPECT_GT(layoutFor(360, 740, 1, workspace).rightDock.height, 200)
+        << "the lesson has the place of the tabs";
+    EXPECT_TRUE(layoutFor(360, 740, 1, workspace).belowDock.isEmpty());
+    EXPECT_EQ(layoutFor(740, 360, 1).view.bottom(), layoutFor(740, 360, 1).belowSeam.y)
+        << "held across: columns";
 }
 
 TEST(Layout, ColumnsKeepTheirDraggedWidthsAndGrowWithTheScale) {
