@@ -141,14 +141,11 @@ void stack(Layout& layout, const Rect& inner, const Workspace& workspace, PaneGr
     const bool hasMiddle = workspace.parameters || workspace.textureSpace;
     const int seam = hasTabs ? std::min(pixels(seamWidth, layout.scale), inner.height / 32) : 0;
     const float dragged = workspace.seams.below;
-    const float tabs = !hasTabs      ? 0
-                       : dragged > 0 ? std::clamp(dragged, 0.15F, 0.6F)
-                       : hasMiddle   ? 0.36F
-                                     : 0.5F;
+    const float usual = !hasMiddle ? 0.5F : hasLesson ? 0.38F : 0.28F;
+    const float tabs = !hasTabs ? 0 : dragged > 0 ? std::clamp(dragged, 0.15F, 0.6F) : usual;
     const int lower = static_cast<int>(std::lround(static_cast<float>(inner.height) * tabs));
     const int rest = inner.height - lower - seam;
-    const int view =
-        hasMiddle ? std::max(1, static_cast<int>(static_cast<float>(rest) * (hasTabs ? 0.55F : 0.5F))) : rest;
+    const int view = hasMiddle ? std::max(1, static_cast<int>(static_cast<float>(rest) * 0.45F)) : rest;
     layout.view = {0, inner.y, inner.width, view};
     if (hasMiddle)
         (workspace.parameters ? layout.parameters : layout.texture) = {0, inner.y + view, inner.width,
