@@ -55,11 +55,13 @@ protected:
 TEST_F(ScenePainter, AgreesWithTheReference) {
     Painter painter(device);
     conform::SweepOptions options;
-    options.selection.scenes = testedRenderer() == RendererKind::Shader ? 1200 : 200; // of one run for each
+    // This test runs for each renderer; the everyday run is that of fixed function.
+    options.selection.scenes = testedRenderer() == RendererKind::Shader ? 1200 : 200;
     for (const conform::Feature& feature : conform::features()) {
         if (feature.name != "lines") // which browsers draw one pixel wide
             options.selection.features.push_back(&feature);
     }
+    ASSERT_EQ(options.selection.features.size() + 1, conform::features().size());
     options.pairs = {conform::Pair{RendererKind::Shader, RendererKind::Reference}};
     const Result<conform::Report> report = conform::sweep(options, {nullptr, &painter});
     ASSERT_TRUE(report) << describe(report.error());

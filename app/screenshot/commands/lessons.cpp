@@ -41,6 +41,7 @@ struct LessonsOptions {
     std::vector<std::string> lessons; ///< of the page; none: all
     const Option* pageOption = nullptr;
     const Option* checkOption = nullptr;
+    const Option* windowOption = nullptr;
     const Option* templateOption = nullptr;
 };
 
@@ -227,7 +228,7 @@ Result<void> checkWindow(const std::string& address) {
     });
     const bool isLink = std::ranges::any_of(std::array{"http://", "https://", "./", "../"},
                                             [&](const char* start) { return address.starts_with(start); });
-    if (address.empty() || (isPlain && isLink))
+    if (isPlain && isLink)
         return {};
     return fail(
         ErrorCode::Malformed,
@@ -237,8 +238,10 @@ Result<void> checkWindow(const std::string& address) {
 }
 
 ExitCode writePage(const LessonsOptions& options) {
-    if (const Result<void> window = checkWindow(options.window); !window)
-        return complain(window.error(), wrongCall);
+    if (options.windowOption->isGiven()) {
+        if (const Result<void> window = checkWindow(options.window); !window)
+            return complain(window.error(), wrongCall);
+    }
     const Result<ui::LanguageRow> language = languageNamed(options.language);
     if (!language)
         return complain(language.error(), wrongCall);
@@ -333,10 +336,11 @@ void addLessons(CommandLine& line) {
                                "English.",
                                fmt::join(pageLanguages(), ", ")),
                    {.value = "LANGUAGE", .needs = &page, .offers = {pageLanguages}});
-    command.option("--window", options->window,
-                   "Link each step to the window in a browser at this address, the folder that \"./dev web\" "
-                   "makes: https://example.org/texplorer/. Lessons in folders get no links.",
-                   {.value = "URL", .needs = &page});
+    options->windowOption = &command.option(
+        "--window", options->window,
+        "Link each step to the window in a browser at this address, the folder that \"./dev web\" "
+        "makes: https://example.org/texplorer/. Lessons in folders get no links.",
+        {.value = "URL", .needs = &page});
     command.footer(
         "\"texshot shot --lesson NAME --step N\" draws a step. docs/lessons.md says how a lesson is "
         "written.\n"

@@ -64,7 +64,8 @@ constexpr std::array seamRows{
             }},
     SeamRow{N_("below seam"), &Layout::belowSeam, false, &Seams::below,
             [](const Layout& layout, float way) {
-                return shareOf(layout.belowDock.height, -way, layout.status.y - layout.menu.bottom());
+                return shareOf(layout.status.y - layout.belowSeam.bottom(), -way,
+                               layout.status.y - layout.menu.bottom()); // of either dock
             }},
 };
 
@@ -138,7 +139,7 @@ bool beginFrame(Session& session, PanelStates& states, const Layout& layout) {
 }
 
 /// Opens the tab or the settings that were asked for.
-void showWanted(Session& session) {
+void showWanted(Session& session, const Layout& layout) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
         session.look.shownParam.clear();
     Workspace& workspace = session.settings.workspace;
@@ -146,7 +147,7 @@ void showWanted(Session& session) {
         showTab(workspace, *wanted);
     if (session.out.wantedSection || !session.out.wantedParam.empty() || session.out.wantsSearch) {
         workspace.parameters = true;
-        if (workspace.maximised == Maximised::View)
+        if (layout.parameters.isEmpty()) // or behind what is maximised
             workspace.maximised = Maximised::None;
     }
 }
@@ -246,7 +247,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
                        const view::Capabilities& capabilities, const Layout& layout) {
     const bool popup = beginFrame(session, states, layout);
     drawMenuBar(session, layout);
-    showWanted(session);
+    showWanted(session, layout);
     followLesson(session, {{layout.picture.width, layout.picture.height}, capabilities.textureUnits});
     followDocument(session, states, pictures, capabilities);
     drawPanels(session, states, pictures, layout);

@@ -31,6 +31,14 @@ OpenDirectory.prototype.fd_fdstat_get = function fdstat() {
     return answer;
 };
 
+// The times of a file stand behind its size, 8 bytes each; the library writes them in other places.
+const Filestat = Object.getPrototypeOf(plainStat.call(new File([])));
+const plainWrite = Filestat.write_bytes;
+Filestat.write_bytes = function writeBytes(view, at) {
+    plainWrite.call(this, view, at);
+    [this.atim, this.mtim, this.ctim].forEach((time, i) => view.setBigUint64(at + 40 + 8 * i, time, true));
+};
+
 function folderOf(root, path, make) {
     let folder = root;
     for (const name of path.split('/').filter(Boolean).slice(0, -1)) {
