@@ -11,7 +11,7 @@ namespace texplorer::glsl {
 
 namespace {
 
-constexpr const char* file = "sampling";
+constexpr const char* samplingFile = "sampling"; // of all pieces here
 
 /// What functions mention, and the piece that declares it.
 using Declared = std::pair<const char*, const char*>;
@@ -85,7 +85,7 @@ private:
         words.push_back({"UNIT", index_});
         words.push_back({"ROW", std::to_string(texelsPerRow)});
         words.push_back({"RIM", rims.at(static_cast<std::size_t>(axes() - 1))});
-        body_.add(file, piece, words);
+        body_.add(samplingFile, piece, words);
     }
 
     [[nodiscard]] int axes() const { return axesOf(target_); }
@@ -198,18 +198,18 @@ void writeSampling(SourceWriter& stage, const Pass& pass, const SampledUnits& un
             continue;
         const std::string index = std::to_string(i);
         const bool mips = reference::wantsMipmaps(units[i]->sampler->min);
-        stage.add(file, "uniforms",
+        stage.add(samplingFile, "uniforms",
                   {{"UNIT", index},
                    {"ROW", std::to_string(texelsPerRow)},
                    {"LEVELS", std::to_string(mips ? maxListedLevels : 1)}});
         for (const auto& [word, piece] : unitPieces) {
             if (body.mentions(word + index))
-                stage.add(file, piece, {{"UNIT", index}});
+                stage.add(samplingFile, piece, {{"UNIT", index}});
         }
     }
     for (const auto& [word, piece] : sharedPieces) {
         if (body.mentions(word))
-            stage.add(file, piece);
+            stage.add(samplingFile, piece);
     }
     stage.append(std::move(body));
 }
