@@ -77,3 +77,12 @@ TEXPLORER_BROWSER(setTyping) void setTyping(bool typing);
 }
 
 } // namespace texplorer::web::browser
+
+namespace texplorer::web {
+
+/// A length as the page takes it.
+[[nodiscard]] int lengthOf(const auto& range) {
+    return static_cast<int>(range.size());
+}
+
+} // namespace texplorer::web

@@ -24,10 +24,6 @@ namespace {
 constexpr const char* given = "/given";         // files of the user, which the page keeps with unsaved work
 constexpr const char* downloads = "/downloads"; // what is written here, the page gives to the user
 
-int lengthOf(const auto& range) {
-    return static_cast<int>(range.size());
-}
-
 ui::Services servicesOf(ui::OwnedServices<ui::FilesAtOnce>& owned, ui::UnsavedWork& unsaved,
                         ui::SettingsFile& settings, ui::Captures& captures) {
     ui::Services services = owned.lend(&unsaved);

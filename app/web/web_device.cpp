@@ -6,13 +6,6 @@
 #include <algorithm>
 
 namespace texplorer::web {
-namespace {
-
-int lengthOf(const auto& range) {
-    return static_cast<int>(range.size());
-}
-
-} // namespace
 
 int WebDevice::maxTextureSize() const {
     return browser::maxTextureSize();
