@@ -21,6 +21,18 @@ void setBlending(const ImDrawList* /*list*/, const ImDrawCmd* command) {
     browser::setBlending(command->UserCallbackData != nullptr);
 }
 
+/// The shaders that sample textures themselves have every format and target, of any size that memory holds.
+view::Capabilities capabilitiesOfShaders() {
+    constexpr int unlimited = 1 << 30;
+    view::Capabilities capabilities;
+    capabilities.maxTextureSize = capabilities.max3DTextureSize = capabilities.maxCubeMapSize = unlimited;
+    capabilities.textureUnits = maxUnits;
+    capabilities.maxAnisotropy = 16;
+    capabilities.s3tc = capabilities.rgtc = capabilities.floatTextures = true;
+    capabilities.seamlessCubeMaps = capabilities.textureBorders = capabilities.shaders = true;
+    return capabilities;
+}
+
 unsigned textureOf(const ImDrawCmd& command) {
     return static_cast<unsigned>(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
 }
@@ -38,7 +50,8 @@ void drawCommand(const ImDrawCmd& command, ImVec2 origin, ImVec2 density) {
 } // namespace
 
 WebGraphics::WebGraphics()
-    : pictures_({makePicture, dropPicture}) {
+    : capabilities_(capabilitiesOfShaders())
+    , pictures_({makePicture, dropPicture}) {
     offered_.withhold(RendererKind::Fixed, N_("a browser has no OpenGL with fixed functions"));
 }
 

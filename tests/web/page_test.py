@@ -137,6 +137,7 @@ class PageTest(unittest.TestCase):
 class Opening(PageTest):
     def test_the_window_is_drawn_and_nothing_is_complained_of(self):
         self.open()
+        self.assertNotIn("drawn without", self.spoken("#status"))
         self.assertGreater(len(set(self.picture().getdata())), 1000)
         ours = [each for each in self.browser.complaints() if "GL Driver Message" not in each]
         self.assertEqual(ours, [])
@@ -256,7 +257,7 @@ class Files(PageTest):
 
 
 class Renderers(PageTest):
-    SCENES = ["checker", "cube", "environment", "fog", "internal-formats", "line", "marble", "seamless", "texsub"]
+    SCENES = ["checker", "floats", "internal-formats", "packed-pixels"]  # without animation
 
     def setUp(self):
         super().setUp()
@@ -276,10 +277,10 @@ class Renderers(PageTest):
             with self.subTest(name):
                 scene = json.loads((SCENES / f"{name}.json").read_text(encoding="utf-8"))
                 self.assertNotIn("error", self.send(do="load", scene=scene))
-                shader, reference = self.view("shader"), self.view("reference")
-                self.click("renderer:shader")  # the next one is not drawn by the reference first
+                shader, reference = self.view("Shader"), self.view("Reference")
+                self.click("renderer:Shader")  # the next one is not drawn by the reference first
                 self.assertEqual(shader.size, reference.size)
-                self.assertGreater(len(set(reference.getdata())), 2)
+                self.assertGreater(len(set(reference.getdata())), 1)
                 far = sum(max(each) > 8 for each in ImageChops.difference(shader, reference).getdata())
                 self.assertLess(far, 0.01 * shader.width * shader.height)
         ours = [each for each in self.browser.complaints() if "GL Driver Message" not in each]
@@ -287,7 +288,7 @@ class Renderers(PageTest):
 
     def test_shaders_are_shown(self):
         self.open()
-        self.click("renderer:shader")
+        self.click("renderer:Shader")
         self.click("tab:GLSL")
         self.until(lambda: self.browser.script("return texplorer.place('glsl:1')") is not None)
 
