@@ -41,7 +41,6 @@ struct LessonsOptions {
     std::vector<std::string> lessons; ///< of the page; none: all
     const Option* pageOption = nullptr;
     const Option* checkOption = nullptr;
-    const Option* windowOption = nullptr;
     const Option* templateOption = nullptr;
 };
 
@@ -238,7 +237,7 @@ Result<void> checkWindow(const std::string& address) {
 }
 
 ExitCode writePage(const LessonsOptions& options) {
-    if (options.windowOption->isGiven()) {
+    if (!options.window.empty()) {
         if (const Result<void> window = checkWindow(options.window); !window)
             return complain(window.error(), wrongCall);
     }
@@ -336,11 +335,10 @@ void addLessons(CommandLine& line) {
                                "English.",
                                fmt::join(pageLanguages(), ", ")),
                    {.value = "LANGUAGE", .needs = &page, .offers = {pageLanguages}});
-    options->windowOption = &command.option(
-        "--window", options->window,
-        "Link each step to the window in a browser at this address, the folder that \"./dev web\" "
-        "makes: https://example.org/texplorer/. Lessons in folders get no links.",
-        {.value = "URL", .needs = &page});
+    command.option("--window", options->window,
+                   "Link each step to the window in a browser at this address, the folder that \"./dev web\" "
+                   "makes: https://example.org/texplorer/. Lessons in folders get no links.",
+                   {.value = "URL", .needs = &page});
     command.footer(
         "\"texshot shot --lesson NAME --step N\" draws a step. docs/lessons.md says how a lesson is "
         "written.\n"
