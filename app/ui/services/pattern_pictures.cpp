@@ -31,7 +31,8 @@ std::shared_ptr<const Image> smallPattern(Pattern pattern) {
 } // namespace
 
 PatternPictures::PatternPictures(When when, std::function<void()> wake)
-    : worker_(
+    : when_(when)
+    , worker_(
           {.when = when, .wake = std::move(wake)},
           [](const auto& task) -> std::optional<Picture> {
               return Picture{task.job(), smallPattern(task.job())};
@@ -41,9 +42,10 @@ PatternPictures::PatternPictures(When when, std::function<void()> wake)
           }) {}
 
 bool PatternPictures::ask() {
-    if (!std::exchange(asked_, true)) {
-        for (const EnumRow& row : patternRows)
-            worker_.ask(static_cast<Pattern>(row.value));
+    while (asked_ < patternRows.size() && !worker_.isWorking()) {
+        worker_.ask(static_cast<Pattern>(patternRows[asked_++].value));
+        if (when_ != When::AtOnce)
+            break;
     }
     std::vector<Picture> arrived = worker_.take();
     for (Picture& made : arrived)

@@ -5,6 +5,7 @@
 #include "texplorer/image/patterns/pattern.h"
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -12,7 +13,7 @@
 namespace texplorer::ui {
 
 /// Small pictures of the built-in patterns, to choose from. Drawing all of them takes too long for a frame:
-/// they are made on a separate thread.
+/// they are made on a separate thread, or without threads one in each frame.
 class PatternPictures {
 public:
     /// `wake` is called on that thread for each new picture.
@@ -29,7 +30,8 @@ private:
     using Picture = std::pair<Pattern, std::shared_ptr<const Image>>;
 
     std::array<std::shared_ptr<const Image>, patternRows.size()> pictures_;
-    bool asked_ = false;
+    const When when_;
+    std::size_t asked_ = 0;           ///< how many, of patternRows
     Worker<Pattern, Picture> worker_; // last member: it ends before the others
 };
 
