@@ -25,7 +25,8 @@ namespace {
 
 constexpr float minFrameSeconds = 1e-4F; // seconds: Dear ImGui requires a positive time step
 
-/// Writes the requested picture from the frame that was just drawn.
+/// Writes the requested picture from the frame that was just drawn, or from a later one if its view is not
+/// complete.
 void writeCapture(ui::Session& session, Graphics& graphics, const ui::ViewFrame& view, view::Size window) {
     const std::optional<ui::Capture> wanted = std::exchange(session.window.wantedCapture, std::nullopt);
     if (!wanted || !session.services.captures)
@@ -34,9 +35,12 @@ void writeCapture(ui::Session& session, Graphics& graphics, const ui::ViewFrame&
         return session.services.captures->write("texplorer-window", graphics.readPanels(window));
     if (view.image)
         return session.services.captures->write("texplorer-view", Image(*view.image));
+    if (!view.whole) {
+        session.window.wantedCapture = wanted;
+        return;
+    }
     if (view.renderer == RendererKind::Reference)
-        return ui::say(session,
-                       N_("The reference is still drawing. The view can be written when it is done."));
+        return ui::say(session, view.frame.problems.empty() ? Sentence() : view.frame.problems.front());
     Result<Image> image = graphics.read(view.renderer, view.side);
     if (!image)
         return ui::say(session, image.error());
