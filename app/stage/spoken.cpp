@@ -27,12 +27,14 @@ std::string languageTag() {
     return name;
 }
 
-std::string statusOf(const ui::Session& session) {
+std::string statusOf(const ui::Session& session, std::span<const Sentence> problems) {
     if (const Sentence& notice = session.look.notice.text; !notice.empty())
         return ui::tr(notice);
     const std::vector<Finding>& findings = session.document.findings;
-    const bool isShown = !findings.empty() && findings.front().severity <= Severity::Warning;
-    return isShown ? ui::tr(ui::shownSentence(findings.front().sentence)) : std::string();
+    if (!findings.empty() && findings.front().severity <= Severity::Warning &&
+        (problems.empty() || findings.front().reportedByRenderer))
+        return ui::tr(ui::shownSentence(findings.front().sentence));
+    return problems.empty() ? std::string() : ui::tr(problems.front());
 }
 
 std::string rowOf(const ui::Session& session) {
@@ -83,8 +85,8 @@ SpokenStep stepOf(const ui::LessonRun& run) {
 
 } // namespace
 
-Spoken spokenBy(const ui::Session& session) {
-    return {languageTag(), statusOf(session), rowOf(session),
+Spoken spokenBy(const ui::Session& session, std::span<const Sentence> problems) {
+    return {languageTag(), statusOf(session, problems), rowOf(session),
             session.lesson ? std::optional(stepOf(*session.lesson)) : std::nullopt};
 }
 

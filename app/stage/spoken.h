@@ -1,7 +1,10 @@
 #pragma once
 
+#include "texplorer/base/sentence.h"
+
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,14 +33,14 @@ struct SpokenStep {
 /// language.
 struct Spoken {
     std::string language; ///< a BCP 47 tag: "en", "zh-CN"
-    std::string status;   ///< the message of the status bar, or the first finding; empty: none
+    std::string status;   ///< the message of the status bar, the first finding or problem; empty: none
     std::string row;      ///< the parameter with the pointer or the keyboard focus, and its value
     std::optional<SpokenStep> step;
 
     bool operator==(const Spoken&) const = default;
 };
 
-/// Call it after a frame was drawn.
-[[nodiscard]] Spoken spokenBy(const ui::Session& session);
+/// Call it after a frame was drawn. `problems`: Loop::problems.
+[[nodiscard]] Spoken spokenBy(const ui::Session& session, std::span<const Sentence> problems = {});
 
 } // namespace texplorer::stage
