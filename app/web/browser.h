@@ -57,6 +57,22 @@ void setConstant(unsigned location, float x, float y, float z, float w);
 TEXPLORER_BROWSER(drawParts) void drawParts(int corners, unsigned indices, int first, int count);
 TEXPLORER_BROWSER(endScene) void endScene();
 
+// Web Workers that draw pictures (page/workers.mjs).
+/// 0: the browser gives none.
+TEXPLORER_BROWSER(makeWorker) unsigned makeWorker();
+TEXPLORER_BROWSER(dropWorker) void dropWorker(unsigned worker);
+/// A file of the scenes that follow; a count of -1 removes it.
+TEXPLORER_BROWSER(sendFile)
+void sendFile(unsigned worker, const char* name, int nameLength, const void* bytes, int byteCount);
+/// takePicture (exports.cpp) gets the answer. `anisotropy` and `rho`: as in a DrawRequest.
+TEXPLORER_BROWSER(drawInWorker)
+void drawInWorker(unsigned worker, const char* scene, int length, double time, int width, int height,
+                  unsigned anisotropy, unsigned rho);
+/// Called in a worker: Rgba8, bottom row first, and problemsJson.
+TEXPLORER_BROWSER(pictureDrawn)
+void pictureDrawn(const void* pixels, int width, int height, double milliseconds, const char* problems,
+                  int length);
+
 /// Lets the user choose files: they are given by filesGiven.
 TEXPLORER_BROWSER(chooseFiles) void chooseFiles(bool scene);
 /// Gives a file to the user, as a download.

@@ -147,6 +147,26 @@ TEXPLORER_EXPORT(placeOf) float placeOf(char* name, std::size_t length, int edge
                  : -1;
 }
 
+/// A worker has drawn: width * height * 4 bytes, bottom row first, 0 bytes if there is no picture.
+TEXPLORER_EXPORT(takePicture)
+void takePicture(unsigned worker, std::byte* pixels, std::size_t byteCount, int width, int height,
+                 double milliseconds, char* problems, std::size_t length) {
+    const std::string said = takeText(problems, length);
+    try {
+        Image image;
+        if (byteCount > 0)
+            image = {PixelFormat::Rgba8, width, height, 1, Bytes(pixels, pixels + byteCount)};
+        program->takePicture(worker, std::move(image), milliseconds, said);
+    } catch (const std::bad_alloc&) {
+        program->workerEnded(worker, N_("not enough memory for the picture"));
+    }
+    std::free(pixels);
+}
+
+TEXPLORER_EXPORT(workerEnded) void workerEnded(unsigned worker, char* reason, std::size_t length) {
+    program->workerEnded(worker, takeText(reason, length));
+}
+
 /// The page's own controls of a lesson. Counted from 0.
 TEXPLORER_EXPORT(answer) void answer(std::size_t number) {
     program->answer(number);

@@ -24,14 +24,6 @@ namespace {
 constexpr const char* given = "/given";         // files of the user, which the page keeps with unsaved work
 constexpr const char* downloads = "/downloads"; // what is written here, the page gives to the user
 
-ui::Services servicesOf(ui::OwnedServices<ui::FilesAtOnce>& owned, ui::UnsavedWork& unsaved,
-                        ui::SettingsFile& settings, ui::Captures& captures) {
-    ui::Services services = owned.lend(&unsaved);
-    services.settings = &settings;
-    services.captures = &captures;
-    return services;
-}
-
 std::string jsonOf(const stage::Spoken& spoken) {
     nlohmann::ordered_json json{
         {"language", spoken.language}, {"status", spoken.status}, {"row", spoken.row}};
@@ -48,11 +40,11 @@ std::string jsonOf(const stage::Spoken& spoken) {
 } // namespace
 
 Program::Program(const stage::Surface& surface, std::string page)
-    : services_(When::AtOnce, {}, LevelWork{})
+    : services_(When::WhenReady, {}, LevelWork{})
     , unsaved_(unsavedFolderOfUser())
     , captures_(downloads)
     , settings_(ui::SettingsPlaces::ofUser(), {}, std::chrono::milliseconds(0)) // a page ends without notice
-    , session_(servicesOf(services_, unsaved_, settings_, captures_))
+    , session_(services())
     , loop_(graphics_, session_, surface,
             {[this] { return clipboard_; },
              [this](const std::string& text) {
@@ -76,6 +68,35 @@ Program::Program(const stage::Surface& surface, std::string page)
     session_.window.page = std::move(page);
     static_cast<void>(
         ui::offerRenderers(session_.view, graphics_.renderers())); // not the user's choice: no message
+}
+
+ui::Services Program::services() {
+    ui::Services services = services_.lend(&unsaved_);
+    services.settings = &settings_;
+    services.captures = &captures_;
+    services.reference = now_.worker;
+    services.kept = kept_.worker;
+    return services;
+}
+
+PageDrawing* Program::drawingOf(unsigned worker) {
+    for (PageDrawing* each : {&now_.place, &kept_.place}) {
+        if (worker != 0 && each->worker() == worker)
+            return each;
+    }
+    return nullptr;
+}
+
+void Program::takePicture(unsigned worker, Image image, double milliseconds, const std::string& problems) {
+    if (PageDrawing* drawing = drawingOf(worker))
+        drawing->drawn(std::move(image), milliseconds, problems);
+    happened(stage::Refresh{});
+}
+
+void Program::workerEnded(unsigned worker, const Sentence& reason) {
+    if (PageDrawing* drawing = drawingOf(worker))
+        drawing->failed(reason);
+    happened(stage::Refresh{});
 }
 
 void Program::filesGiven(std::vector<stage::NamedFile> files, bool answers) {
@@ -126,9 +147,14 @@ double Program::step() {
     if (done.drawn)
         show(done);
     keepGivenFiles();
-    if (!done.wake)
-        return -1;
-    return std::max(0.0, *done.wake - steadySeconds());
+    std::optional<double> wait;
+    if (done.wake)
+        wait = std::max(0.0, *done.wake - steadySeconds());
+    for (PageDrawing* each : {&now_.place, &kept_.place}) {
+        if (const std::optional<double> check = each->check())
+            wait = std::min(wait.value_or(*check), *check);
+    }
+    return wait.value_or(-1);
 }
 
 /// Unsaved work names its files, which are found again in the program's working folder. The files of the
@@ -148,19 +174,19 @@ void Program::keepGivenFiles() {
                 files.emplace(name, std::move(file));
         }
     }
-    if (files == kept_)
+    if (files == stored_)
         return;
     std::error_code ignored;
-    for (const auto& [name, file] : kept_) {
+    for (const auto& [name, file] : stored_) {
         if (!files.contains(name))
             fs::remove(fs::path(given) / name, ignored);
     }
     for (const auto& [name, file] : files) {
-        const auto before = kept_.find(name);
-        if (before == kept_.end() || before->second != file)
+        const auto before = stored_.find(name);
+        if (before == stored_.end() || before->second != file)
             static_cast<void>(writeFileAtomically(fs::path(given) / name, *file)); // in memory
     }
-    kept_ = std::move(files);
+    stored_ = std::move(files);
 }
 
 void Program::show(const stage::Step& done) {
@@ -170,7 +196,7 @@ void Program::show(const stage::Step& done) {
         browser::setCursor(cursor_);
     if (const bool fills = session_.window.fillsScreen; std::exchange(fillsScreen_, fills) != fills)
         browser::setFullScreen(fills);
-    if (stage::Spoken spoken = stage::spokenBy(session_); spoken != spoken_) {
+    if (stage::Spoken spoken = stage::spokenBy(session_, loop_.problems()); spoken != spoken_) {
         spoken_ = std::move(spoken);
         const std::string json = jsonOf(spoken_);
         browser::speak(json.data(), lengthOf(json));

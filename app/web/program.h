@@ -6,6 +6,7 @@
 #include "app/ui/model/session.h"
 #include "app/ui/services/services.h"
 #include "app/ui/widgets/widget_places.h"
+#include "app/web/page_drawing.h"
 #include "app/web/web_graphics.h"
 
 #include <map>
@@ -13,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace texplorer::web {
@@ -34,6 +36,9 @@ public:
     /// The text that the next paste gets.
     void setClipboard(std::string text) { clipboard_ = std::move(text); }
     void contextRestored();
+    void takePicture(unsigned worker, Image image, double milliseconds, const std::string& problems);
+    /// See PageDrawing::failed.
+    void workerEnded(unsigned worker, const Sentence& reason);
     /// The page fills the screen, or no longer does.
     void fullScreenChanged(bool fills);
 
@@ -50,11 +55,25 @@ public:
     void store();
 
 private:
+    /// Draws in a Web Worker.
+    struct Drawing {
+        explicit Drawing(std::unique_ptr<PageDrawing> made = std::make_unique<PageDrawing>())
+            : place(*made)
+            , worker(std::move(made)) {}
+        PageDrawing& place;
+        reference::DrawWorker worker;
+    };
+
+    [[nodiscard]] ui::Services services();
+    /// nullptr: it was dropped meanwhile.
+    [[nodiscard]] PageDrawing* drawingOf(unsigned worker);
     void show(const stage::Step& done);
     void keepGivenFiles();
 
     WebGraphics graphics_;
     ui::OwnedServices<ui::FilesAtOnce> services_;
+    Drawing now_;
+    Drawing kept_;
     ui::UnsavedWork unsaved_;
     ui::Captures captures_;
     ui::SettingsFile settings_;
@@ -63,8 +82,8 @@ private:
     std::optional<stage::FileWish> wish_; ///< the last request for files
     stage::Loop loop_;
     std::vector<stage::Event> events_;
-    std::optional<ui::WidgetPlaces> places_;                   ///< nothing: none was requested
-    std::map<std::string, std::shared_ptr<const Bytes>> kept_; ///< the files in the working folder
+    std::optional<ui::WidgetPlaces> places_;                     ///< nothing: none was requested
+    std::map<std::string, std::shared_ptr<const Bytes>> stored_; ///< the files in the working folder
     stage::Spoken spoken_;
     stage::LessonEvents lessonEvents_;
     std::string title_;

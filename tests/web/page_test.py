@@ -271,6 +271,15 @@ class Renderers(PageTest):
         self.click("menu:Picture of the view")
         return Image.open(self.downloaded("texplorer-*.png")).convert("RGB")
 
+    def test_workers_draw_the_reference(self):
+        self.open()
+        self.browser.script("""const Plain = Worker; window.made = 0;
+            window.Worker = class extends Plain { constructor(...values) { super(...values); window.made += 1; } };""")
+        self.view("Reference")
+        self.send(do="set", path="view.azimuth", value="50")
+        self.view("Reference")
+        self.assertEqual(self.browser.script("return window.made"), 1)
+
     def test_shaders_draw_what_the_reference_draws(self):
         self.open()
         for name in self.SCENES:

@@ -6,8 +6,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { webcrypto } from 'node:crypto';
 
-const WIDTH = 640; // small: most of a frame's time are the pixels of the scene
-const HEIGHT = 400;
+const SIZE = [640, 400]; // small: most of a frame's time are the pixels of the scene
 const MOST_FRAMES = 12; // that follow each other: an animation has no end
 const BLOCK = 65536;
 const AT_ONCE = 0.015; // seconds: the page does not wait for less
@@ -28,11 +27,12 @@ export class Page {
         const copy = mkdtempSync(join(tmpdir(), 'texplorer-'));
         try {
             writeFileSync(join(copy, 'package.json'), '{ "type": "module" }');
-            for (const name of ['storage.mjs', 'wasi'])
+            for (const name of ['drawer.mjs', 'storage.mjs', 'wasi'])
                 cpSync(join(folder, name), join(copy, name), { recursive: true });
             const load = (name) => import(pathToFileURL(join(copy, name)));
             globalThis.crypto ??= webcrypto; // node 18 has none
             ({ Storage: page.Storage } = await load('storage.mjs'));
+            ({ Drawer: page.Drawer } = await load('drawer.mjs'));
             ({ WASI: page.WASI, ConsoleStdout: page.ConsoleStdout } = await load('wasi/index.js'));
         } finally {
             rmSync(copy, { recursive: true });
@@ -49,10 +49,18 @@ export class Program {
     posted = []; // messages to the page around this one, as texts
     copied = null; // the clipboard's text
     log = []; // lines that were written to the console
+    workers = new Map(); // number → what draws, as a Web Worker does
+    asked = []; // what they were asked, newest last, each a function that draws and gives the answer to the program
+    pictures = []; // their answers
+    milliseconds = 0; // how long each seems to take
     #exports;
+    #Drawer;
+    #withoutWorkers;
 
     // `storage` is that of a program before: the page is opened again.
-    constructor(page, { language = 'en', storage } = {}) {
+    constructor(page, { language = 'en', storage, size = SIZE, withoutWorkers = false } = {}) {
+        this.#withoutWorkers = withoutWorkers;
+        this.#Drawer = page.Drawer;
         this.storage = storage ?? new page.Storage((error) => { throw error; });
         for (const [path, font] of page.fonts)
             this.storage.write(path, font);
@@ -63,7 +71,7 @@ export class Program {
             { wasi_snapshot_preview1: wasi.wasiImport, browser: this.#browser(page.module) });
         this.#exports = instance.exports;
         wasi.initialize(instance);
-        this.call('start', WIDTH, HEIGHT, WIDTH, HEIGHT, 1, ...this.copyIn('https://example.org/'));
+        this.call('start', ...size, ...size, 1, ...this.copyIn('https://example.org/'));
     }
 
     // A function for each that the program names, so that a new one needs no change here.
@@ -71,6 +79,19 @@ export class Program {
         let made = 0;
         const known = {
             maxTextureSize: () => 8192,
+            makeWorker: () => {
+                if (this.#withoutWorkers)
+                    return 0;
+                this.workers.set(++made, new this.#Drawer(module));
+                return made;
+            },
+            dropWorker: (worker) => { this.workers.delete(worker); },
+            sendFile: (worker, name, nameLength, at, length) =>
+                this.workers.get(worker).setFile(this.#textAt(name, nameLength), length < 0 ? null : this.#bytesAt(at, length)),
+            drawInWorker: (worker, at, length, ...numbers) => {
+                const scene = this.#textAt(at, length);
+                this.asked.push(() => this.#answerOf(worker, scene, numbers));
+            },
             speak: (at, length) => { this.spoken = JSON.parse(this.#textAt(at, length)); },
             postMessage: (at, length) => { this.posted.push(this.#textAt(at, length)); },
             writeClipboard: (at, length) => { this.copied = this.#textAt(at, length); },
@@ -102,7 +123,27 @@ export class Program {
         return before - (taken.length - 1) * BLOCK;
     }
 
-    #textAt(at, length) { return decoder.decode(new Uint8Array(this.#exports.memory.buffer).slice(at, at + length)); }
+    #bytesAt(at, length) { return new Uint8Array(this.#exports.memory.buffer).slice(at, at + length); }
+    #textAt(at, length) { return decoder.decode(this.#bytesAt(at, length)); }
+
+    // An answer of a worker that was dropped does not arrive.
+    #answerOf(worker, scene, values) {
+        const drawer = this.workers.get(worker);
+        if (!drawer)
+            return;
+        const { pixels, width, height, problems } = drawer.draw(scene, ...values);
+        this.pictures.push({ pixels, width, height, problems: JSON.parse(problems) });
+        this.call('takePicture', worker, ...this.copyIn(pixels), width, height,
+            this.milliseconds, ...this.copyIn(problems));
+    }
+
+    // Lets the workers do all that they are asked.
+    wait() {
+        while (this.asked.length > 0) {
+            this.asked.shift()();
+            this.draw();
+        }
+    }
 
     // What the program throws, a trap too, ends the test.
     call(name, ...values) { return this.#exports[name](...values); }

@@ -8,6 +8,7 @@ import { SceneDevice } from './scene.mjs';
 import { show } from './spoken.mjs';
 import { Storage } from './storage.mjs';
 import { ConsoleStdout, WASI } from './wasi/index.js';
+import { Workers } from './workers.mjs';
 
 const canvas = document.querySelector('canvas');
 const field = document.querySelector('#field');
@@ -21,6 +22,7 @@ const CURSORS = ['default', 'text', 'move', 'ns-resize', 'ew-resize', 'nesw-resi
 let exports = null;
 let panels = null;
 let scene = null;
+let workers = null;
 let redraw = () => {};
 let post = embedding.post;
 const bytes = () => new Uint8Array(exports.memory.buffer);
@@ -58,7 +60,8 @@ function copyIn(content) {
     return [at, taken.length];
 }
 
-const textAt = (at, length) => decoder.decode(bytes().slice(at, at + length));
+const bytesAt = (at, length) => bytes().slice(at, at + length);
+const textAt = (at, length) => decoder.decode(bytesAt(at, length));
 
 const methodsOf = (kind) => Object.getOwnPropertyNames(kind.prototype)
     .filter((name) => !['constructor', 'gl', 'restore'].includes(name));
@@ -67,7 +70,7 @@ const methodsOf = (kind) => Object.getOwnPropertyNames(kind.prototype)
 function browserFor(files) {
     const browser = {
         chooseFiles: () => files.choose(),
-        saveFile: (name, nameLength, at, length) => download(textAt(name, nameLength), bytes().slice(at, at + length)),
+        saveFile: (name, nameLength, at, length) => download(textAt(name, nameLength), bytesAt(at, length)),
         writeClipboard: (at, length) => {
             const written = navigator.clipboard?.writeText(textAt(at, length)) ?? Promise.reject(new Error('no clipboard'));
             written.catch(() => { call('clipboardRefused'); redraw(); });
@@ -98,6 +101,9 @@ function browserFor(files) {
         browser[name] = (...values) => panels[name](...values);
     for (const name of methodsOf(SceneDevice))
         browser[name] = (...values) => scene[name](...values);
+    for (const name of methodsOf(Workers))
+        browser[name] = (...values) => workers[name](...values);
+    browser.pictureDrawn = () => {}; // of workers
     return browser;
 }
 
@@ -141,6 +147,19 @@ async function load(storage, files) {
         { wasi_snapshot_preview1: wasi.wasiImport, browser: browserFor(files) });
     exports = instance.exports;
     wasi.initialize(instance);
+    workers = new Workers(module, bytesAt, textAt, (worker, { pixels, width, height, milliseconds, problems }) => {
+        const at = call('allocate', pixels.length);
+        if (at) {
+            bytes().set(pixels, at);
+            call('takePicture', worker, at, pixels.length, width, height, milliseconds, ...copyIn(problems));
+        } else {
+            call('workerEnded', worker, ...copyIn('there is not enough memory'));
+        }
+        redraw();
+    }, (worker, reason) => {
+        call('workerEnded', worker, ...copyIn(reason));
+        redraw();
+    });
 }
 
 async function open() {

@@ -1,0 +1,61 @@
+// The functions that page/drawer.mjs calls in a Web Worker: it draws pictures of the reference for
+// PageDrawing. A text is given in memory that `allocate` has returned and that the called function frees.
+
+#include "app/web/browser.h"
+#include "app/web/page_drawing.h"
+#include "texplorer/base/tried.h"
+#include "texplorer/scene/params/json.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+
+#define TEXPLORER_EXPORT(name) extern "C" __attribute__((export_name(#name)))
+
+namespace {
+
+using namespace texplorer;
+
+ImageSource images;
+reference::ReferenceRenderer renderer;
+
+Result<Frame> frameOf(const std::string& text, double time, int width, int height, unsigned anisotropy,
+                      unsigned rho) {
+    Result<Scene> scene = parseScene(text);
+    if (!scene)
+        return fail(scene.error());
+    static_cast<void>(images.load(*scene)); // the renderer says which files are missing
+    return renderer.draw({.scene = *std::move(scene),
+                          .images = images,
+                          .time = time,
+                          .width = width,
+                          .height = height,
+                          .anisotropy = static_cast<reference::AnisotropyMethod>(anisotropy),
+                          .rho = static_cast<reference::RhoMethod>(rho)});
+}
+
+} // namespace
+
+/// Files have changed: they are in the folder /given.
+TEXPLORER_EXPORT(filesChanged) void filesChanged() {
+    std::filesystem::current_path("/given");
+    images = {};
+}
+
+TEXPLORER_EXPORT(drawPicture)
+void drawPicture(char* text, std::size_t length, double time, int width, int height, unsigned anisotropy,
+                 unsigned rho) {
+    const std::string scene(text, length);
+    std::free(text);
+    constexpr FailureWords failure{N_("not enough memory for the picture"), N_("the picture can't be drawn")};
+    const auto begin = std::chrono::steady_clock::now();
+    const Result<Frame> frame =
+        tried(failure, [&] { return frameOf(scene, time, width, height, anisotropy, rho); });
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
+    const Image none;
+    const Image& image = frame ? frame->image : none;
+    const std::string problems =
+        web::problemsJson(frame ? frame->problems : std::vector{describe(frame.error())});
+    web::browser::pictureDrawn(image.pixels.data(), image.width, image.height, elapsed.count(),
+                               problems.data(), web::lengthOf(problems));
+}

@@ -1,0 +1,156 @@
+// node workers_test.mjs PAGE: pictures that the program of a built page gets from workers. Here they work when the test lets
+// them.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+
+import { Page, Program } from './program.mjs';
+
+const page = await Page.load(process.argv[2]);
+const image = readFileSync(new URL('../../assets/lessons/textured-cube/uv.bmp', import.meta.url));
+
+// A program that shows the reference alone, whose first picture is asked for.
+function opened(options) {
+    const program = new Program(page, { size: [1280, 800], ...options }); // which has room for the choice of renderers
+    program.draw();
+    program.click('tour:Skip');
+    program.click('renderer:Reference');
+    return program;
+}
+
+// Which has drawn it: the worker seems to need no time.
+function drawn() {
+    const program = opened();
+    program.wait();
+    program.pictures.length = 0;
+    return program;
+}
+
+function turn(program, azimuth) {
+    program.set('view.azimuth', String(azimuth));
+    program.draw();
+}
+
+test('a worker draws what the reference shows', () => {
+    const program = drawn();
+    const shown = program.count('makeTexture');
+    turn(program, 30);
+    assert.equal(program.asked.length, 1);
+    program.wait();
+    assert.equal(program.count('makeTexture'), shown + 1);
+    const [{ pixels, width, height, problems }] = program.pictures;
+    assert.deepEqual(problems, []);
+    assert.equal(pixels.length, width * height * 4);
+    const background = program.scene.view.background.slice(0, 3).map((each) => Math.round(each * 255));
+    assert.deepEqual([...pixels.subarray(0, 3)], background);
+    const middle = 4 * (width * Math.floor(height / 2) + Math.floor(width / 2));
+    assert.notDeepEqual([...pixels.subarray(middle, middle + 3)], background);
+    assert.deepEqual(program.log, []);
+});
+
+test('the window asks for the newest picture only', () => {
+    const program = drawn();
+    for (const azimuth of [10, 20, 30, 40])
+        turn(program, azimuth);
+    program.wait();
+    assert.equal(program.pictures.length, 2);
+    const [first, last] = program.pictures;
+    assert.equal(first.width, last.width);
+    assert.notDeepEqual(first.pixels, last.pixels);
+});
+
+test('of a picture that takes long a coarse one comes first', () => {
+    const program = opened();
+    program.milliseconds = 1000;
+    program.wait();
+    const { width } = program.pictures.at(-1);
+    const widths = () => program.pictures.splice(0).map((each) => each.width);
+    const coarse = Math.floor(width / 8);
+    program.pictures.length = 0;
+    turn(program, 10);
+    program.wait();
+    assert.deepEqual(widths(), [coarse, width]);
+    turn(program, 20);
+    turn(program, 30); // while the coarse one is drawn
+    program.wait();
+    assert.deepEqual(widths(), [coarse, coarse, width]);
+});
+
+test('a worker has the files of the scene', () => {
+    const program = drawn();
+    program.give({ 'given.bmp': image });
+    program.wait();
+    const given = program.pictures.at(-1);
+    assert.equal(program.scene.textures[0].file, 'given.bmp');
+    assert.deepEqual(given.problems, []);
+    program.set('textures[0].source', 'pattern');
+    program.draw();
+    program.wait();
+    assert.notDeepEqual(program.pictures.at(-1).pixels, given.pixels);
+    program.send({ texplorer: 1, do: 'load', scene: { ...program.scene, textures: [{ source: 'file', file: 'missing.bmp' }] } });
+    program.draw();
+    program.wait();
+    assert.match(JSON.stringify(program.pictures.at(-1).problems), /missing\.bmp/);
+});
+
+test('a worker that ends is replaced', () => {
+    const program = opened();
+    program.asked.length = 0;
+    const [worker] = program.workers.keys();
+    program.call('workerEnded', worker, ...program.copyIn('unreachable'));
+    program.draw();
+    assert.match(program.spoken.status, /unreachable/);
+    assert.equal(program.workers.has(worker), false);
+    turn(program, 10);
+    program.wait();
+    assert.ok(program.pictures.length > 0);
+    assert.equal(program.workers.size, 1);
+    assert.equal(program.spoken.status, '');
+});
+
+test('a picture of other texels is not shown', () => {
+    const program = drawn();
+    turn(program, 10);
+    program.set('textures[0].pattern', 'gradient');
+    program.draw();
+    const shown = program.count('makeTexture');
+    program.asked.shift()();
+    program.draw();
+    assert.equal(program.count('makeTexture'), shown, 'the answer is that of the pattern before');
+    program.wait();
+    assert.ok(program.count('makeTexture') > shown);
+});
+
+test('a worker that draws other texels for long is replaced', async () => {
+    const program = drawn();
+    turn(program, 10);
+    const [worker] = program.workers.keys();
+    program.set('textures[0].pattern', 'gradient');
+    const wait = program.draw();
+    assert.ok(wait > 0 && wait <= 0.2, `${wait} s`);
+    assert.ok(program.workers.has(worker));
+    await new Promise((resolve) => { setTimeout(resolve, 250); });
+    program.draw();
+    assert.equal(program.workers.has(worker), false);
+    program.wait();
+    assert.equal(program.pictures.length, 1);
+});
+
+test('a worker that is not needed ends', () => {
+    const program = opened();
+    program.wait();
+    assert.equal(program.workers.size, 1);
+    program.click('renderer:Shader');
+    program.wait();
+    assert.equal(program.workers.size, 0);
+});
+
+test('a browser without workers is named', () => {
+    const program = opened({ withoutWorkers: true });
+    assert.equal(program.asked.length, 0);
+    assert.equal(program.workers.size, 0);
+    assert.match(program.spoken.status, /worker/);
+    turn(program, 10); // it does not stop
+    assert.deepEqual(program.log, []);
+});
