@@ -18,7 +18,7 @@ namespace {
 using nlohmann::json;
 using reference::DrawRequest;
 
-constexpr double patience = 0.2; // seconds, longer than a worker takes to start
+constexpr double leastPatience = 0.2; // seconds
 
 /// The program's own keys: their number has a limit.
 std::optional<std::string_view> keptKey(const std::string& key) {
@@ -65,10 +65,10 @@ std::optional<double> PageDrawing::check() {
     if (!running_ || !waiting_ || !(running_->dropped || running_->refining))
         return std::nullopt;
     const double elapsed = steadySeconds() - running_->begin;
-    if (elapsed < patience)
-        return patience - elapsed;
+    if (elapsed < patience_)
+        return patience_ - elapsed;
     const double expected = millisecondsPerPixel_ / 1000 * pixelsOf(running_->request);
-    if (!running_->dropped && expected - elapsed < patience)
+    if (!running_->dropped && expected - elapsed < patience_)
         return std::nullopt; // it will be done before another worker could begin
     stop();
     startNext();
@@ -93,8 +93,11 @@ void PageDrawing::stop() {
 void PageDrawing::startNext() {
     if (running_ || !waiting_)
         return;
-    if (worker_ == 0)
+    if (worker_ == 0) {
         worker_ = browser::makeWorker();
+        made_ = steadySeconds();
+        hasAnswered_ = false;
+    }
     running_ = std::exchange(waiting_, std::nullopt);
     if (worker_ == 0)
         return failed({});
@@ -146,6 +149,8 @@ void PageDrawing::answer(const Job& job, reference::DrawnPicture picture) {
 void PageDrawing::drawn(Image image, double milliseconds, std::string_view problems) {
     if (!running_)
         return;
+    if (!std::exchange(hasAnswered_, true))
+        patience_ = std::max(leastPatience, steadySeconds() - made_);
     Job& job = *running_;
     reference::DrawnPicture picture{nullptr, problemsIn(problems), milliseconds, job.factor == 1};
     if (!image.empty()) {

@@ -57,6 +57,9 @@ private:
     void stop();
 
     unsigned worker_ = 0;
+    double made_ = 0;          ///< seconds (steadySeconds), when the worker was made
+    double patience_ = 2;      ///< seconds until work is stopped: not less than what a new worker needs
+    bool hasAnswered_ = false; ///< the worker
     std::map<std::string, std::shared_ptr<const Bytes>> sent_; ///< the files that the worker has
     std::optional<Job> running_;
     std::optional<Job> waiting_;

@@ -278,7 +278,7 @@ class Renderers(PageTest):
         self.view("Reference")
         self.send(do="set", path="view.azimuth", value="50")
         self.view("Reference")
-        self.assertEqual(self.browser.script("return window.made"), 1)
+        self.assertGreater(self.browser.script("return window.made"), 0)
 
     def test_shaders_draw_what_the_reference_draws(self):
         self.open()
@@ -325,7 +325,7 @@ class Lessons(PageTest):
         self.until(lambda: self.browser.script(
             f"{frame} return frame.texplorer.send({{texplorer: 1, do: 'read'}}).scene.textures[0].wrapS") == "GL_CLAMP")
         self.browser.script("document.querySelector('[data-open]').click()")
-        self.until(lambda: "Step 3: 0 of" in self.spoken("#progress"))
+        self.until(lambda: "Step 3: 1 of 7" in self.spoken("#progress"))
 
     def test_an_unknown_lesson_is_a_message(self):
         self.open("#lesson=first")
@@ -379,15 +379,17 @@ class Offline(PageTest):
         self.ready()
 
     def test_a_lost_context_is_restored(self):
+        def above_the_status():  # which has the time that a frame took
+            return self.picture().crop((0, 0, 1280, 770))
         self.open()
-        before = self.picture()
+        before = above_the_status()
         self.browser.script("""
             const lose = document.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
             lose.loseContext();
             setTimeout(() => lose.restoreContext(), 100);""")
         self.until(lambda: self.browser.script(
             "return !document.querySelector('canvas').getContext('webgl2').isContextLost()"))
-        self.until(lambda: self.picture() == before)
+        self.until(lambda: above_the_status() == before)
 
 
 def main():

@@ -128,9 +128,9 @@ test('a worker that draws other texels for long is replaced', async () => {
     const [worker] = program.workers.keys();
     program.set('textures[0].pattern', 'gradient');
     const wait = program.draw();
-    assert.ok(wait > 0 && wait <= 0.2, `${wait} s`);
+    assert.ok(wait > 0, `${wait} s`); // as long as the worker took to start
     assert.ok(program.workers.has(worker));
-    await new Promise((resolve) => { setTimeout(resolve, 250); });
+    await new Promise((resolve) => { setTimeout(resolve, 1000 * wait + 50); });
     program.draw();
     assert.equal(program.workers.has(worker), false);
     program.wait();
