@@ -37,7 +37,7 @@ void writeCapture(ui::Session& session, Graphics& graphics, const ui::ViewFrame&
         return session.services.captures->write("texplorer-view", Image(*view.image));
     if (!view.whole) {
         session.window.wantedCapture = wanted;
-        return;
+        return ui::say(session, N_("The picture is written when the reference has drawn it."));
     }
     if (view.renderer == RendererKind::Reference)
         return ui::say(session, view.frame.problems.empty() ? Sentence() : view.frame.problems.front());

@@ -147,12 +147,15 @@ TEXPLORER_EXPORT(placeOf) float placeOf(char* name, std::size_t length, int edge
                  : -1;
 }
 
-/// A worker has drawn: width * height * 4 bytes, bottom row first, 0 bytes if there is no picture.
+/// A worker has drawn: width * height * 4 bytes, bottom row first, 0 bytes if there is no picture; nullptr if
+/// the page has no memory for them.
 TEXPLORER_EXPORT(takePicture)
 void takePicture(unsigned worker, std::byte* pixels, std::size_t byteCount, int width, int height,
                  double milliseconds, char* problems, std::size_t length) {
     const std::string said = takeText(problems, length);
     try {
+        if (!pixels)
+            throw std::bad_alloc();
         Image image;
         if (byteCount > 0)
             image = {PixelFormat::Rgba8, width, height, 1, Bytes(pixels, pixels + byteCount)};

@@ -19,6 +19,8 @@ using nlohmann::json;
 using reference::DrawRequest;
 
 constexpr double leastPatience = 0.2; // seconds
+constexpr double mostPatience = 3;
+constexpr double pause = 5; // seconds after a worker that could not be loaded
 
 /// The program's own keys: their number has a limit.
 std::optional<std::string_view> keptKey(const std::string& key) {
@@ -67,12 +69,12 @@ std::optional<double> PageDrawing::check() {
     const double elapsed = steadySeconds() - running_->begin;
     if (elapsed < patience_)
         return patience_ - elapsed;
-    const double expected = millisecondsPerPixel_ / 1000 * pixelsOf(running_->request);
-    if (!running_->dropped && expected - elapsed < patience_)
-        return std::nullopt; // it will be done before another worker could begin
+    const double left = millisecondsPerPixel_ / 1000 * pixelsOf(running_->request) - elapsed;
+    if (!running_->dropped && left > 0 && left < patience_)
+        return left + leastPatience; // it should be done before another worker could begin
     stop();
     startNext();
-    return std::nullopt;
+    return answers_.empty() ? std::nullopt : std::optional(0.0);
 }
 
 void PageDrawing::drop(const std::function<bool(const DrawRequest&)>& isUseless) {
@@ -93,12 +95,12 @@ void PageDrawing::stop() {
 void PageDrawing::startNext() {
     if (running_ || !waiting_)
         return;
-    if (worker_ == 0) {
+    running_ = std::exchange(waiting_, std::nullopt);
+    if (worker_ == 0 && steadySeconds() >= nextTry_) {
         worker_ = browser::makeWorker();
         made_ = steadySeconds();
         hasAnswered_ = false;
     }
-    running_ = std::exchange(waiting_, std::nullopt);
     if (worker_ == 0)
         return failed({});
     const DrawRequest& request = running_->request;
@@ -150,7 +152,7 @@ void PageDrawing::drawn(Image image, double milliseconds, std::string_view probl
     if (!running_)
         return;
     if (!std::exchange(hasAnswered_, true))
-        patience_ = std::max(leastPatience, steadySeconds() - made_);
+        patience_ = std::clamp(steadySeconds() - made_, leastPatience, mostPatience);
     Job& job = *running_;
     reference::DrawnPicture picture{nullptr, problemsIn(problems), milliseconds, job.factor == 1};
     if (!image.empty()) {
@@ -167,6 +169,8 @@ void PageDrawing::drawn(Image image, double milliseconds, std::string_view probl
 }
 
 void PageDrawing::failed(const Sentence& reason) {
+    if (reason.empty() && steadySeconds() >= nextTry_)
+        nextTry_ = steadySeconds() + pause;
     const Sentence said =
         reason.empty() ? Sentence(N_("the browser can't load a worker of the page")) : reason;
     if (running_)

@@ -22,7 +22,8 @@ public:
     PageDrawing& operator=(const PageDrawing&) = delete;
     ~PageDrawing() override { stop(); }
 
-    // Differs from a thread in one thing: only a whole picture or a dropped one that takes long is stopped.
+    // Unlike a thread, it stops only two pictures, once they take long: a dropped one, and a whole one after
+    // a coarse one.
     void ask(std::uint64_t number, std::optional<reference::DrawRequest> request) override;
     void drop(const std::function<bool(const reference::DrawRequest&)>& isUseless) override;
     [[nodiscard]] std::vector<Answer> take() override { return std::exchange(answers_, {}); }
@@ -57,6 +58,7 @@ private:
     void stop();
 
     unsigned worker_ = 0;
+    double nextTry_ = 0;       ///< seconds (steadySeconds), before which no worker is made
     double made_ = 0;          ///< seconds (steadySeconds), when the worker was made
     double patience_ = 2;      ///< seconds until work is stopped: not less than what a new worker needs
     bool hasAnswered_ = false; ///< the worker

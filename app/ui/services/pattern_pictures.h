@@ -13,7 +13,7 @@
 namespace texplorer::ui {
 
 /// Small pictures of the built-in patterns, to choose from. Drawing all of them takes too long for a frame:
-/// they are made on a separate thread, or without threads one in each frame.
+/// they are made on a separate thread, one in each frame.
 class PatternPictures {
 public:
     /// `wake` is called on that thread for each new picture.

@@ -149,12 +149,9 @@ async function load(storage, files) {
     wasi.initialize(instance);
     workers = new Workers(module, bytesAt, textAt, (worker, { pixels, width, height, milliseconds, problems }) => {
         const at = call('allocate', pixels.length);
-        if (at) {
+        if (at)
             bytes().set(pixels, at);
-            call('takePicture', worker, at, pixels.length, width, height, milliseconds, ...copyIn(problems));
-        } else {
-            call('workerEnded', worker, ...copyIn('there is not enough memory'));
-        }
+        call('takePicture', worker, at, pixels.length, width, height, milliseconds, ...copyIn(problems));
         redraw();
     }, (worker, reason) => {
         call('workerEnded', worker, ...copyIn(reason));

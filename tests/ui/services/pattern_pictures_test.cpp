@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <latch>
+#include <semaphore>
 
 namespace texplorer::ui::pattern_pictures_test {
 namespace {
@@ -22,11 +22,13 @@ TEST(PatternPictures, AreSmallOnesOfEachPattern) {
 }
 
 TEST(PatternPictures, ComeOneAfterTheOtherBesideTheWindow) {
-    std::latch all(static_cast<std::ptrdiff_t>(patternRows.size()));
-    PatternPictures pictures(When::WhenReady, [&] { all.count_down(); });
-    (void)pictures.ask();
-    all.wait();
-    (void)pictures.ask();
+    std::counting_semaphore<> made(0);
+    PatternPictures pictures(When::WhenReady, [&] { made.release(); });
+    for (std::size_t i = 0; i < patternRows.size(); ++i) {
+        (void)pictures.ask();
+        made.acquire();
+    }
+    EXPECT_TRUE(pictures.ask());
     for (const EnumRow& row : patternRows)
         EXPECT_TRUE(pictures.find(static_cast<Pattern>(row.value))) << row.name;
 }
