@@ -40,7 +40,7 @@ std::string jsonOf(const stage::Spoken& spoken) {
 } // namespace
 
 Program::Program(const stage::Surface& surface, std::string page)
-    : services_(When::WhenReady, {}, LevelWork{})
+    : services_(When::WhenReady, {}, levelWork())
     , unsaved_(unsavedFolderOfUser())
     , captures_(downloads)
     , settings_(ui::SettingsPlaces::ofUser(), {}, std::chrono::milliseconds(0)) // a page ends without notice

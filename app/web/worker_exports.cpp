@@ -25,13 +25,14 @@ Result<Frame> frameOf(const std::string& text, double time, int width, int heigh
     if (!scene)
         return fail(scene.error());
     static_cast<void>(images.load(*scene)); // the renderer says which files are missing
-    return renderer.draw({.scene = *std::move(scene),
-                          .images = images,
-                          .time = time,
-                          .width = width,
-                          .height = height,
-                          .anisotropy = static_cast<reference::AnisotropyMethod>(anisotropy),
-                          .rho = static_cast<reference::RhoMethod>(rho)});
+    const reference::DrawRequest request{.scene = *std::move(scene),
+                                         .images = images,
+                                         .time = time,
+                                         .width = width,
+                                         .height = height,
+                                         .anisotropy = static_cast<reference::AnisotropyMethod>(anisotropy),
+                                         .rho = static_cast<reference::RhoMethod>(rho)};
+    return renderer.draw(request, {.levels = web::levelWork()});
 }
 
 } // namespace

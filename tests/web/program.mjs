@@ -7,7 +7,7 @@ import { pathToFileURL } from 'node:url';
 import { webcrypto } from 'node:crypto';
 
 const SIZE = [640, 400]; // small: most of a frame's time are the pixels of the scene
-const MOST_FRAMES = 12; // that follow each other: an animation has no end
+const MOST_FRAMES = 30; // that follow each other: an animation has no end
 const BLOCK = 65536;
 const AT_ONCE = 0.015; // seconds: the page does not wait for less
 
