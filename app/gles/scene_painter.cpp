@@ -129,12 +129,12 @@ void setSampler(const Uniforms& uniforms, int index, const BoundTexture& bound, 
 } // namespace
 
 struct ScenePainter::State {
-    explicit State(Device& given)
+    State(Device& given, LevelWork work)
         : device(given)
         , buffers([this](view::BufferKind kind, std::span<const std::byte> content) {
             return own(device, device.makeBuffer(kind, content), &Device::dropBuffer);
         })
-        , textures(given) {}
+        , textures(given, std::move(work)) {}
 
     struct Surface {
         view::Size size;
@@ -178,8 +178,8 @@ struct ScenePainter::State {
     view::Frame frame;                                                ///< the last one
 };
 
-ScenePainter::ScenePainter(Device& device)
-    : state_(std::make_unique<State>(device)) {}
+ScenePainter::ScenePainter(Device& device, LevelWork work)
+    : state_(std::make_unique<State>(device, std::move(work))) {}
 ScenePainter::ScenePainter(ScenePainter&&) noexcept = default;
 ScenePainter& ScenePainter::operator=(ScenePainter&&) noexcept = default;
 ScenePainter::~ScenePainter() = default;
@@ -214,7 +214,7 @@ Result<view::Frame> ScenePainter::draw(const Scene& scene, const ImageSource& im
 
 void ScenePainter::forgetObjects() {
     const std::uint64_t revision = state_->frame.revision;
-    state_ = std::make_unique<State>(state_->device);
+    state_ = std::make_unique<State>(state_->device, state_->textures.work());
     state_->frame.revision = revision;
 }
 

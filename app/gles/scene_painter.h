@@ -6,6 +6,7 @@
 #include "texplorer/image/image.h"
 #include "texplorer/scene/scene.h"
 #include "texplorer/texture/image_source.h"
+#include "texplorer/texture/texture_levels.h"
 
 #include <memory>
 
@@ -15,8 +16,8 @@ namespace texplorer::gles {
 /// textures, borders, GL_CLAMP, all formats and biases, which OpenGL ES lacks. Lines are one pixel wide.
 class ScenePainter {
 public:
-    /// The device must outlive it.
-    explicit ScenePainter(Device& device);
+    /// The device must outlive it. `work`: how textures are compressed at run time.
+    explicit ScenePainter(Device& device, LevelWork work = {});
     ScenePainter(ScenePainter&&) noexcept;
     ScenePainter& operator=(ScenePainter&&) noexcept;
     ScenePainter(const ScenePainter&) = delete;

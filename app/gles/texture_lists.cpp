@@ -11,8 +11,7 @@ namespace texplorer::gles {
 
 BoundTexture TextureLists::prepare(const Scene& scene, std::size_t index, Target target,
                                    const ImageSource& images, std::vector<Sentence>& problems) {
-    const reference::StoredTexture* stored =
-        store_.prepare(scene, index, target, images, LevelWork{}, problems);
+    const reference::StoredTexture* stored = store_.prepare(scene, index, target, images, work_, problems);
     if (!stored || !stored->complete)
         return {};
     const ListedTexture& listed = listedOf(*stored, index);

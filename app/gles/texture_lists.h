@@ -31,13 +31,16 @@ struct BoundTexture {
 /// The textures of a scene as lists of texels on a device. Made again when their texels change.
 class TextureLists {
 public:
-    explicit TextureLists(Device& device)
-        : device_(device) {}
+    TextureLists(Device& device, LevelWork work)
+        : device_(device)
+        , work_(std::move(work)) {}
 
     /// Returns one of the scene's textures, or nothing if it cannot be drawn or is incomplete; valid until
     /// `keepOnly`. Sentences about it are added to `problems`.
     [[nodiscard]] BoundTexture prepare(const Scene& scene, std::size_t index, Target target,
                                        const ImageSource& images, std::vector<Sentence>& problems);
+
+    [[nodiscard]] const LevelWork& work() const { return work_; }
 
     /// Removes textures that no unit of the scene samples.
     void keepOnly(const Scene& scene);
@@ -46,6 +49,7 @@ private:
     const ListedTexture& listedOf(const reference::StoredTexture& stored, std::size_t texture);
 
     Device& device_;
+    LevelWork work_;
     reference::TextureStore store_;
     std::map<std::pair<std::size_t, Target>, ListedTexture> lists_;
 };

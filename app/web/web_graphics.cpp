@@ -1,6 +1,7 @@
 #include "app/web/web_graphics.h"
 
 #include "app/web/browser.h"
+#include "app/web/page_drawing.h"
 #include "texplorer/base/translatable.h"
 
 #include <cstdint>
@@ -57,7 +58,7 @@ WebGraphics::WebGraphics()
 
 gles::ScenePainter& WebGraphics::painterOf(view::Side side) {
     std::optional<gles::ScenePainter>& painter = painters_.at(static_cast<std::size_t>(side));
-    return painter ? *painter : painter.emplace(device_);
+    return painter ? *painter : painter.emplace(device_, levelWork());
 }
 
 Result<view::Frame> WebGraphics::draw(RendererKind renderer, view::Side side, const Scene& scene,
