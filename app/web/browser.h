@@ -3,7 +3,9 @@
 // What the page does for the program (page/panels.mjs, page/scene.mjs, page/texplorer.mjs). Texts are UTF-8
 // with a length in bytes. Calls that take memory have read it when they return.
 
+// A function of the page, and one that the page calls.
 #define TEXPLORER_BROWSER(name) __attribute__((import_module("browser"), import_name(#name)))
+#define TEXPLORER_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
 namespace texplorer::web::browser {
 

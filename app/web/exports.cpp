@@ -1,6 +1,7 @@
 // The functions that the page calls (page/texplorer.mjs). A text or a file is given in memory that `allocate`
 // has returned and that the called function frees.
 
+#include "app/web/browser.h"
 #include "app/web/program.h"
 
 #include <algorithm>
@@ -12,8 +13,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-
-#define TEXPLORER_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
 namespace {
 

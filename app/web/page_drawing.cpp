@@ -45,10 +45,6 @@ int extent(int whole, int factor) {
 
 } // namespace
 
-LevelWork levelWork() {
-    return {.cache = BlockCache("/tmp/blocks", std::uintmax_t{64} << 20)};
-}
-
 std::string problemsJson(const std::vector<Sentence>& problems) {
     json all = json::array();
     for (const Sentence& each : problems)

@@ -69,9 +69,6 @@ private:
     double millisecondsPerPixel_ = 2e-4; ///< a guess, before anything was drawn
 };
 
-/// How textures are compressed: blocks are kept in memory, as the page's files are.
-[[nodiscard]] LevelWork levelWork();
-
 /// A list of sentences, as a worker sends them.
 [[nodiscard]] std::string problemsJson(const std::vector<Sentence>& problems);
 

@@ -4,6 +4,7 @@
 #include "app/ui/files/lessons.h"
 #include "app/ui/model/notice.h"
 #include "app/web/browser.h"
+#include "app/web/level_work.h"
 #include "texplorer/base/clock.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/files/file_io.h"

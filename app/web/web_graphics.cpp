@@ -1,7 +1,7 @@
 #include "app/web/web_graphics.h"
 
 #include "app/web/browser.h"
-#include "app/web/page_drawing.h"
+#include "app/web/level_work.h"
 #include "texplorer/base/translatable.h"
 
 #include <cstdint>

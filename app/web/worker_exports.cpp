@@ -2,6 +2,7 @@
 // PageDrawing. A text is given in memory that `allocate` has returned and that the called function frees.
 
 #include "app/web/browser.h"
+#include "app/web/level_work.h"
 #include "app/web/page_drawing.h"
 #include "texplorer/base/tried.h"
 #include "texplorer/scene/params/json.h"
@@ -9,8 +10,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-
-#define TEXPLORER_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
 namespace {
 

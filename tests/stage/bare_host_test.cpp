@@ -387,6 +387,8 @@ TEST_F(BareHostTest, ThePageIsPartOfALink) {
 TEST_F(BareHostTest, WhatTheWindowShowsIsSaid) {
     EXPECT_EQ(spokenBy(host.session).language, "en");
     EXPECT_EQ(spokenBy(host.session).step, std::nullopt);
+    EXPECT_EQ(spokenBy(host.session).status, "");
+    EXPECT_EQ(spokenBy(host.session, std::array{Sentence("no memory")}).status, "no memory");
     host.run({at("textures[0].wrapS=GL_CLAMP")});
     EXPECT_EQ(spokenBy(host.session).row, "Wrap s: GL_REPEAT");
     host.run({FilesGiven{{named("b.txt", "no image")}}});

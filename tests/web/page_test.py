@@ -275,9 +275,9 @@ class Renderers(PageTest):
         self.open()
         self.browser.script("""const Plain = Worker; window.made = 0;
             window.Worker = class extends Plain { constructor(...values) { super(...values); window.made += 1; } };""")
-        self.view("Reference")
+        before = self.view("Reference")
         self.send(do="set", path="view.azimuth", value="50")
-        self.view("Reference")
+        self.assertNotEqual(list(self.view("Reference").getdata()), list(before.getdata()))
         self.assertGreater(self.browser.script("return window.made"), 0)
 
     def test_shaders_draw_what_the_reference_draws(self):
