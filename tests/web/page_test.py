@@ -6,6 +6,7 @@ import http.server
 import io
 import json
 import pathlib
+import re
 import sys
 import tempfile
 import threading
@@ -16,7 +17,9 @@ from PIL import Image, ImageChops
 from browser import Browser
 
 PAGE = pathlib.Path()
-SCENES = pathlib.Path(__file__).resolve().parents[2] / "assets/scenes"
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+SCENES = PROJECT / "assets/scenes"
+DOCUMENT = PROJECT / "docs/web.md"
 MOUSE = 0
 
 
@@ -326,6 +329,23 @@ class Lessons(PageTest):
             f"{frame} return frame.texplorer.send({{texplorer: 1, do: 'read'}}).scene.textures[0].wrapS") == "GL_CLAMP")
         self.browser.script("document.querySelector('[data-open]').click()")
         self.until(lambda: "Step 3: 1 of 7" in self.spoken("#progress"))
+
+    def test_the_page_of_the_document_works(self):
+        """docs/web.md's iframe and script, with this server's address for the one that they name."""
+        html, js = (re.search(rf"^```{language}\n(.*?)^```", DOCUMENT.read_text(), re.MULTILINE | re.DOTALL)[1]
+                    .replace("https://example.org/texplorer/", self.server.address)
+                    .replace("https://example.org", self.server.address[:-1]) for language in ("html", "js"))
+        self.open()  # over with the tour
+        self.browser.driver.get(self.server.address + "embed.json")  # of the same origin, and with no script of its own
+        self.browser.script("""document.body.innerHTML = arguments[0]; window.frame = document.querySelector('iframe');
+            window.said = []; console.log = (...words) => said.push(words)""", html)
+        within = "return frame.contentWindow."
+        self.until(lambda: self.browser.script(f"{within}document.documentElement.dataset.state") == "ready")
+        self.browser.script(js)
+        self.until(lambda: self.browser.script(
+            f"{within}texplorer.send({{texplorer: 1, do: 'read'}}).scene.textures[0].wrapS") == "GL_CLAMP")
+        self.browser.script(f"{within}texplorer.send({{texplorer: 1, do: 'open', address: 'lesson=wrap&step=5'}})")
+        self.until(lambda: self.browser.script("return said.some(([lesson, step]) => lesson == 'wrap' && step == 5)"))
 
     def test_an_unknown_lesson_is_a_message(self):
         self.open("#lesson=first")

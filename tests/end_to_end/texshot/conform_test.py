@@ -14,7 +14,7 @@ from PIL import Image
 
 from texshot import TEXSHOT, Texshot, document, single, texshot
 
-sys.path.append(str(Path(__file__).parents[1] / "report"))
+sys.path.append(str(Path(__file__).parents[2] / "support"))
 from browser import Browser  # noqa: E402
 
 

@@ -184,10 +184,10 @@ class Examples(Texshot):
         self.assertEqual(sorted(set(seen)), ["lesson", "scene", "suite"])
 
     def test_the_programs_of_the_documents_are_compiled_where_the_library_is_installed(self):
-        """tests/end_to_end/install_test.sh compiles and runs C++ and CMake; there is no such test for other
-        languages."""
+        """tests/end_to_end/install_test.sh compiles and runs C++ and CMake, tests/web/page_test.py runs what is for a
+        browser; there is no such test for other languages."""
         languages = {each for file in DOCUMENTS for each in re.findall(r"^ *```(\S+)$", file.read_text(), re.MULTILINE)}
-        self.assertEqual(languages, {"sh", "json", "cpp", "cmake"})
+        self.assertEqual(languages, {"sh", "json", "cpp", "cmake", "html", "js"})
 
     def test_an_example_of_the_program_is_a_scene(self):
         self.assertIn("teapot", self.succeeds("help", "shot").decode())
