@@ -73,7 +73,7 @@ public:
         : graphics_(graphics)
         , scale_(scale) {
         ImGui::CreateContext();
-        ui::applyTheme(scale_, theme_, textPercent_, nullptr, letters_);
+        ui::applyTheme(scale_, appearance_, nullptr, letters_);
         ui::prepareKeys();
         graphics_.startPanels();
     }
@@ -94,14 +94,13 @@ public:
             problem = setLanguage(language);
         ui::useCatalogue(catalogue_.get());
         ui::beginTranslations();
-        const bool resized = scale != scale_ || settings.textPercent != textPercent_;
-        if (!resized && !translated && !lacksLetters_ && settings.theme == theme_)
+        const ui::Appearance appearance = ui::appearanceOf(settings);
+        if (scale == scale_ && appearance == appearance_ && !translated && !lacksLetters_)
             return problem;
         scale_ = scale;
-        theme_ = settings.theme;
-        textPercent_ = settings.textPercent;
+        appearance_ = appearance;
         lacksLetters_ = false;
-        ui::applyTheme(scale_, theme_, textPercent_, catalogue_.get(), letters_);
+        ui::applyTheme(scale_, appearance_, catalogue_.get(), letters_);
         graphics_.fontsChanged();
         return problem;
     }
@@ -131,8 +130,7 @@ private:
     float scale_;
     ui::Language language_ = ui::Language::English;
     std::unique_ptr<const ui::Catalogue> catalogue_; ///< nullptr: English
-    ui::Theme theme_ = ui::Theme::Dark;
-    int textPercent_ = 100;
+    ui::Appearance appearance_;
     ui::Letters letters_;
     bool lacksLetters_ = false;
 };
@@ -173,9 +171,9 @@ ui::Requests Stage::draw(ui::Session& session, const Surface& surface, float sec
     const float density =
         static_cast<float>(surface.pixels.width) / static_cast<float>(std::max(1, surface.size.width));
     const ui::Settings& settings = session.settings;
-    const ui::Layout layout = ui::layoutFor(surface.size.width, surface.size.height,
-                                            ui::textScale(surface.scale / density, settings.textPercent),
-                                            settings.workspace, ui::gridOf(session.view));
+    const ui::Layout layout = ui::layoutFor(
+        surface.size.width, surface.size.height, ui::textScale(surface.scale / density, settings.textPercent),
+        settings.workspace, ui::gridOf(session.view), settings.largeControls);
     ui::settle(session, layout);
 
     const auto toPixels = [density](int length) {

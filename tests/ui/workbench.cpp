@@ -82,9 +82,8 @@ void Workbench::start(Scene scene, int width, int height, float scale) {
     held_.clear();
     ImGui::CreateContext();
     letters_ = {};
-    applyTheme(scale, Theme::Dark, 100, catalogue_.get());
-    textPercent_ = 100;
-    theme_ = Theme::Dark;
+    appearance_ = Appearance{};
+    applyTheme(scale, *appearance_, catalogue_.get());
     prepareKeys();
     unsigned char* pixels = nullptr;
     int textureWidth = 0;
@@ -125,7 +124,7 @@ void Workbench::speak(Language language, std::set<std::string, std::less<>>* gap
     useCatalogue(nullptr);
     catalogue_ = *std::move(catalogue);
     useCatalogue(catalogue_.get(), gaps);
-    textPercent_ = 0; // so that the fonts are built again
+    appearance_.reset(); // so that the fonts are built again
 }
 
 /// As the stage does before a frame.
@@ -133,10 +132,9 @@ void Workbench::layOut() {
     const Settings& settings = session->settings;
     const ImDrawData* drawn = ImGui::GetDrawData();
     const bool lacksLetters = drawn && letters_.look(*drawn);
-    if (lacksLetters || settings.theme != theme_ || settings.textPercent != textPercent_) {
-        theme_ = settings.theme;
-        textPercent_ = settings.textPercent;
-        applyTheme(scale_, theme_, textPercent_, catalogue_.get(), letters_);
+    if (lacksLetters || appearanceOf(settings) != appearance_) {
+        appearance_ = appearanceOf(settings);
+        applyTheme(scale_, *appearance_, catalogue_.get(), letters_);
         unsigned char* pixels = nullptr;
         int width = 0;
         int height = 0;
@@ -144,8 +142,8 @@ void Workbench::layOut() {
         if (drawing_)
             drawing_->graphics->fontsChanged();
     }
-    layout = layoutFor(width_, height_, textScale(scale_, textPercent_), settings.workspace,
-                       gridOf(session->view));
+    layout = layoutFor(width_, height_, textScale(scale_, settings.textPercent), settings.workspace,
+                       gridOf(session->view), settings.largeControls);
     settle(*session, layout);
 }
 

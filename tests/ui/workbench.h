@@ -3,6 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/state/layout.h"
 #include "app/ui/widgets/fonts.h"
+#include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_places.h"
 #include "app/ui/window/layout.h"
 #include "app/ui/window/workbench.h"
@@ -68,8 +69,7 @@ protected:
 
     /// The window as OSMesa draws it: Rgba8, bottom row first. Fails the test if GL reports an error, or if
     /// the renderers report anything that the test does not expect.
-    [[nodiscard]] Image
-    picture(const testing::Matcher<std::vector<Sentence>>& problems = testing::IsEmpty());
+    [[nodiscard]] Image picture(const testing::Matcher<std::vector<Sentence>>& problems = testing::IsEmpty());
 
     /// Fails the test if the last frame cannot be drawn: a vertex or a clip rectangle that is not a finite
     /// number.
@@ -99,9 +99,8 @@ private:
     int width_ = 1280;
     int height_ = 800;
     float scale_ = 1;
-    int textPercent_ = 100; ///< with the theme: the settings that Dear ImGui has
-    std::set<int> held_;    ///< keys
-    ui::Theme theme_ = ui::Theme::Dark;
+    std::optional<ui::Appearance> appearance_; ///< that Dear ImGui has
+    std::set<int> held_;                       ///< keys
     std::unique_ptr<const ui::Catalogue> catalogue_;
     ui::Letters letters_;
     std::unique_ptr<Drawing> drawing_;

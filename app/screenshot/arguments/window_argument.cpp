@@ -140,6 +140,8 @@ void addWindowArgument(Command& command, const Option& window, WindowArgument& a
         {.value = "LANGUAGE", .needs = &window, .offers = {[] { return namesIn(ui::languageRows); }}});
     command.option("--scale", argument.scale, "With --ui: the scale of text and controls, 0.5 to 4.",
                    {.value = "S", .needs = &window});
+    command.flag("--large-controls", argument.largeControls,
+                 "With --ui: controls are large enough for fingers.", {.needs = &window});
     command.number("--tour", argument.tour, 1, ui::tourSteps,
                    "With --ui: a step of the tour over the window.", {.needs = &window});
     command.option(
@@ -165,7 +167,10 @@ Result<void> putWindow(const WindowArgument& argument, ShotRequest& request) {
         .and_then([&] { return take(parseSection(argument.section), request.section); })
         .and_then([&] { return take(parseProbe(argument.probe), request.probed); })
         .and_then([&] { return take(parseCompared(argument.compared), request.compared); })
-        .map([&] { request.tour = argument.tour; });
+        .map([&] {
+            request.tour = argument.tour;
+            request.largeControls = argument.largeControls;
+        });
 }
 
 } // namespace texplorer::screenshot

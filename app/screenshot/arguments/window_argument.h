@@ -15,14 +15,15 @@ struct WindowArgument {
     std::string theme;
     std::string language;
     std::string scale;
+    bool largeControls = false;
     int tour = 0;
     std::string section;
     std::string probe;
     std::string compared;
 };
 
-/// Declares --tab, --figure, --layout, --theme, --language, --scale, --tour, --section, --probe and
-/// --compare, which need the option `window`.
+/// Declares --tab, --figure, --layout, --theme, --language, --scale, --large-controls, --tour, --section,
+/// --probe and --compare, which need the option `window`.
 void addWindowArgument(Command& command, const Option& window, WindowArgument& argument);
 
 /// Into the request; the error is a wrong call.

@@ -81,6 +81,7 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     ui::Workspace& workspace = session.settings.workspace;
     workspace = workspaceOf(request.layout);
     session.settings.theme = request.theme;
+    session.settings.largeControls = request.largeControls;
     session.settings.language = request.language;
     session.window.systemLanguage = ui::languageOfSystem();
     session.window.textureUnits = (*graphics)->capabilities().textureUnits;
@@ -119,7 +120,7 @@ Result<Shot> drawWindow(const ShotRequest& request) {
     if (request.probed) {
         session.look.wantedProbe.reset();
         const ui::Rect picture = ui::layoutFor(request.size.width, request.size.height, request.scale,
-                                               workspace, ui::gridOf(session.view))
+                                               workspace, ui::gridOf(session.view), request.largeControls)
                                      .picture;
         const auto [x, y] = *request.probed;
         if (x >= picture.width || y >= picture.height)

@@ -65,6 +65,7 @@ struct ShotRequest {
     bool shownIsGiven = false;     ///< likewise of `shown` and `shownUnit`
     int tour = 0;                  ///< the step of the tour over the window, from 1; 0: none
     float scale = 1;               ///< of the window's text and lengths
+    bool largeControls = false;    ///< of the window
     view::ContextChoice context{}; ///< where OpenGL draws
 
     /// With the limits that are pretended, for all renderers.

@@ -5,6 +5,7 @@
 #include "app/ui/widgets/param_parts.h"
 #include "app/ui/widgets/param_place.h"
 #include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/popups.h"
 #include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
@@ -114,18 +115,18 @@ float codeNumber(const Session& session, const emit::Part& part, ParamPlace plac
 
 /// A popup of words, opened by code.
 bool beginCodePopup(const char* name) {
-    if (!ImGui::BeginPopup(name))
+    if (!beginPopup(name))
         return false;
     ImGui::PushFont(nullptr); // the default one
     const float em = ImGui::GetFontSize();
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.5F, em * 0.3F});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.5F, std::max(em * 0.3F, targetHeight() - em)});
     return true;
 }
 
 void endCodePopup() {
     ImGui::PopStyleVar();
     ImGui::PopFont();
-    ImGui::EndPopup();
+    endPopup();
 }
 
 /// The list of choices of the last widget.

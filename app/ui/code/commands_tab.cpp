@@ -5,6 +5,7 @@
 #include "app/ui/model/notice.h"
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 #include "app/ui/widgets/program_menu.h"
 #include "app/ui/widgets/theme.h"
 #include "texplorer/scene/model_mesh.h"
@@ -57,9 +58,9 @@ void toolRow(const Session& session, CommandsTabState& state) {
     const bool hasRoom = corner.y + height < ImGui::GetIO().DisplaySize.y;
     ImGui::SetNextWindowPos({corner.x, hasRoom ? corner.y : ImGui::GetItemRectMin().y}, ImGuiCond_Appearing,
                             {1, hasRoom ? 0.0F : 1.0F}); // next to the button, not over it
-    if (ImGui::BeginPopup("export")) {
+    if (beginPopup("export")) {
         programMenuItems(session);
-        ImGui::EndPopup();
+        endPopup();
     }
 }
 

@@ -6,6 +6,7 @@
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/panel_menus.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 #include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
@@ -59,18 +60,16 @@ bool liesIn(const Workspace& workspace, Tab tab, Dock dock) {
 /// Handles the mouse on a tab, which is the last widget.
 void handleTab(const Session& session, DetailsState& state, const TabRow& row, Dock dock) {
     if (ImGui::IsItemActivated())
-        rearrange(session, [dock, &row](Workspace& workspace) {
-            workspace.front[static_cast<std::size_t>(dock)] = row.tab;
-        });
+        rearrange(session, [&row](Workspace& workspace) { showTab(workspace, row.tab); });
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         rearrange(session, [dock](Workspace& workspace) { toggleMaximised(workspace, maximised(dock)); });
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, ImGui::GetFontSize()))
         state.dragged = row.tab;
     if (ImGui::IsItemClicked(ImGuiMouseButton_Middle))
         rearrange(session, [&row](Workspace& workspace) { closeTab(workspace, row.tab); });
-    if (ImGui::BeginPopupContextItem()) {
+    if (beginPopupContextItem()) {
         tabMenuItems(session, row.tab);
-        ImGui::EndPopup();
+        endPopup();
     }
 }
 
@@ -123,10 +122,22 @@ void dockButtons(const Session& session, Dock dock) {
                      "Closes this tab (middle click). View › Panels opens it again.", front.has_value()))
         rearrange(session, [tab = *front](Workspace& workspace) { closeTab(workspace, tab); });
     ImGui::PopStyleColor();
-    if (ImGui::BeginPopup("panels")) {
+    if (beginPopup("panels")) {
         dockMenuItems(session, dock);
-        ImGui::EndPopup();
+        endPopup();
     }
+}
+
+void tabRow(const Session& session, DetailsState& state, Dock dock) {
+    const float line = ImGui::GetFrameHeight();
+    const float top = ImGui::GetCursorPosY() + line + ImGui::GetStyle().ItemSpacing.y;
+    ImGui::BeginChild("tab row", {std::max(1.0F, ImGui::GetContentRegionAvail().x - 3 * line), line}, false,
+                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    drawTabBar(session, state, dock);
+    ImGui::EndChild();
+    ImGui::SameLine(0, 0);
+    dockButtons(session, dock);
+    ImGui::SetCursorPos({ImGui::GetStyle().WindowPadding.x, top});
 }
 
 /// Where a tab is dropped into a dock, even into an empty one.
@@ -149,15 +160,8 @@ void drawDock(const Session& session, DetailsState& state, const Pictures& pictu
         return;
     beginPanel(rowOf(dock).window, layout.of(dock),
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    const float line = ImGui::GetFrameHeight();
-    const float top = ImGui::GetCursorPosY() + line + ImGui::GetStyle().ItemSpacing.y;
-    ImGui::BeginChild("tab row", {std::max(1.0F, ImGui::GetContentRegionAvail().x - 3 * line), line}, false,
-                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    drawTabBar(session, state, dock);
-    ImGui::EndChild();
-    ImGui::SameLine(0, 0);
-    dockButtons(session, dock);
-    ImGui::SetCursorPos({ImGui::GetStyle().WindowPadding.x, top});
+    if (!layout.isStacked) // there, the list of sheets has its tabs
+        tabRow(session, state, dock);
     if (const std::optional<Tab> front = frontOf(session.settings.workspace, dock)) {
         ImGui::PushID(rowOf(*front).label);
         drawTab(session, state, pictures, *front);

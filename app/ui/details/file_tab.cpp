@@ -219,7 +219,7 @@ void hexView(FileTabState& state, const FieldMap& map, std::optional<std::size_t
 void heading(const Session& session) {
     const InspectedFile& view = session.look.fileView;
     if (!view.chosen.empty()) {
-        if (ImGui::SmallButton("←"))
+        if (smallButton("←"))
             act(session, [](Session& changed) { changed.look.fileView.chosen.clear(); });
         item("file:back", "Back to the file of the bound texture");
         ImGui::SameLine();

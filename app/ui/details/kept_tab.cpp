@@ -67,7 +67,7 @@ void drawChanges(const Session& session, const std::vector<SceneChange>& changes
             act(session, [path = change.path](Session& s) { reveal(s, path); });
         changedValues(change);
         ImGui::TableNextColumn();
-        if (ImGui::SmallButton(label(take)))
+        if (smallButton(label(take)))
             takeFromKept(session, change);
         item(fmt::format("take:{}", change.path),
              Sentence("Sets {0} to the value in A: {1}", change.label, change.from));

@@ -222,9 +222,9 @@ void vertexGroup(const Session& session, const List& list, const Sentence& name,
     }
     if (reveal && chosenRow)
         ImGui::SetNextItemOpen(true);
-    const ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen |
-                                     (opened ? ImGuiTreeNodeFlags_DefaultOpen : 0) |
-                                     (chosenRow ? ImGuiTreeNodeFlags_Selected : 0);
+    const ImGuiTreeNodeFlags flags =
+        nodeHeight() | ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen |
+        (opened ? ImGuiTreeNodeFlags_DefaultOpen : 0) | (chosenRow ? ImGuiTreeNodeFlags_Selected : 0);
     if (chosenRow)
         ImGui::PushStyleColor(ImGuiCol_Text, color::chosen);
     const bool open = ImGui::TreeNodeEx(label(name).c_str(), flags);

@@ -6,6 +6,7 @@
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 #include "app/ui/widgets/same_line.h"
 
 #include <fmt/core.h>
@@ -44,7 +45,7 @@ void offerMethod(const Session& session, reference::AnisotropyMethod method) {
     noteItem("explain:method");
     const float button = buttonWidth(offer);
     sameLineFor(button, ImGui::GetStyle().ItemSpacing.x);
-    if (ImGui::SmallButton(label(offer)))
+    if (smallButton(label(offer)))
         act(session, [method](Session& changed) { changed.view.anisotropy = method; });
     item("explain:use method", texplorer::rowOf(method).help);
 }
@@ -77,7 +78,7 @@ void pixelButtons(const Session& session) {
     const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetScrollX();
     if (end + gap + width <= ImGui::GetContentRegionMax().x)
         ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-    if (ImGui::SmallButton(label(pin))) {
+    if (smallButton(label(pin))) {
         if (pinned)
             act(session, [](Session& changed) { changed.look.explaining.pinned.reset(); });
         else
@@ -88,7 +89,7 @@ void pixelButtons(const Session& session) {
                 : N_("Keeps this pixel. The next one, or the same one after a change, is shown next to it "
                      "with the differences marked."));
     sameLineFor(buttonWidth("Clear"), gap);
-    if (ImGui::SmallButton(label("Clear")))
+    if (smallButton(label("Clear")))
         act(session, [](Session& s) {
             s.look.explaining.pixel.reset();
             s.look.explaining.pinned.reset();
@@ -140,7 +141,7 @@ void drawTexelLine(const Session& session) {
         return;
     const auto& [level, index] = asked.texel->texel;
     const Sentence words(N_("Texel {0}, {1} of level {2}: {3}"), index.x, index.y, level, readersOf(asked));
-    if (ImGui::SmallButton("✕##texel"))
+    if (smallButton("✕##texel"))
         act(session, clearTexel);
     item("explain:clear texel", "Unpicks this texel (Escape)");
     ImGui::SameLine();
@@ -170,7 +171,7 @@ void chooseFragment(ExplainTabState& state, const Explanation& explanation,
                                  ImGui::GetContentRegionAvail().x);
     ImGui::SetNextItemWidth(width);
     const std::string preview = fitted(title, width - arrow - ImGui::GetFontSize());
-    const bool open = ImGui::BeginCombo("##fragment", preview.c_str());
+    const bool open = beginCombo("##fragment", preview.c_str());
     noteItem("explain:fragments");
     if (preview != tr(title))
         helpTip(title);
@@ -185,7 +186,7 @@ void chooseFragment(ExplainTabState& state, const Explanation& explanation,
         noteItem(fmt::format("explain:fragment {}", i));
         ImGui::PopID();
     }
-    ImGui::EndCombo();
+    endCombo();
 }
 
 Lane laneOf(const Explanation& explanation, const std::vector<FragmentSteps>& fragments, std::size_t shown,
@@ -225,9 +226,9 @@ void drawListedStep(const Step& step, bool openAtFirst, bool severalUnits, bool 
     // The texels are the most important.
     ImGui::SetNextItemOpen(openAtFirst && step.kind == reference::StepKind::Texels, ImGuiCond_FirstUseEver);
     const bool hasRows = !step.rows.empty();
-    const bool open =
-        ImGui::TreeNodeEx("step", ImGuiTreeNodeFlags_SpanAvailWidth | (hasRows ? 0 : ImGuiTreeNodeFlags_Leaf),
-                          "%s", tr(title).c_str());
+    const bool open = ImGui::TreeNodeEx(
+        "step", nodeHeight() | ImGuiTreeNodeFlags_SpanAvailWidth | (hasRows ? 0 : ImGuiTreeNodeFlags_Leaf),
+        "%s", tr(title).c_str());
     noteItem("explain:" + title.english());
     ImGui::SameLine();
     swatch(step.swatch);
@@ -305,7 +306,7 @@ void drawInvitation(const Session& session, const Pictures& pictures, bool wide)
     wrappedText("Why does a pixel have its colour? Click one in the view to see every step of OpenGL, in "
                 "order.");
     noteItem("explain:none");
-    if (ImGui::SmallButton(label("Explain the pixel in the middle")))
+    if (smallButton(label("Explain the pixel in the middle")))
         act(session, [middle = reference::PixelPlace{width / 2, height / 2}](Session& changed) {
             changed.look.explaining.pixel = middle;
         });

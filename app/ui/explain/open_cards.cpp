@@ -1,6 +1,7 @@
 #include "app/ui/explain/explain_pipeline.h"
 #include "app/ui/explain/step_rows.h"
 #include "app/ui/language/translate.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/param_widgets.h"
 
 #include <algorithm>
@@ -274,7 +275,7 @@ bool drawOpenCard(const OpenCard& open, std::span<const Lane> lanes, float heigh
     text(card.name, color::chosen);
     const float button = ImGui::GetFrameHeight();
     ImGui::SameLine(std::max(0.0F, ImGui::GetWindowContentRegionMax().x - button));
-    const bool closes = ImGui::SmallButton("✕");
+    const bool closes = smallButton("✕");
     noteItem("close card:" + card.name.english());
     drawColumns(open.columns, open.columnWidth, open.look);
     if (open.pinned) {

@@ -3,6 +3,7 @@
 #include "app/ui/language/translate.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 #include "texplorer/base/sentence_format.h"
 
 #include <fmt/core.h>
@@ -58,13 +59,13 @@ void drawColorEnd(BlockMicroscopeState& state, const BlockLook& look, int end) {
     noteItem(name);
     hoverEnd(state, BlockPart::Color, end);
     helpTip("Sets this end colour, to the nearest colour of 5, 6 and 5 bits.");
-    if (ImGui::BeginPopup(name.c_str())) {
+    if (beginPopup(name.c_str())) {
         ImGui::SetNextItemWidth(ImGui::GetFontSize() * 12);
         if (ImGui::ColorPicker3("##picker", shown.data(),
                                 ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB))
             writeField(state.block, field, quantized(toByte(0), toByte(1), toByte(2)));
         noteItem(name + "#picker");
-        ImGui::EndPopup();
+        endPopup();
     }
     const unsigned stored = readField(state.block, field);
     for (std::size_t c = 0; c < 3; ++c) {

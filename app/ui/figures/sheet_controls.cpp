@@ -11,6 +11,7 @@
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 #include "app/ui/widgets/text_field.h"
 #include "texplorer/scene/params/keys.h"
 
@@ -150,7 +151,7 @@ void fileControls(const Session& session) {
     }
     item("sheet:copy",
          "Copies a \"texshot sweep\" command that writes the same file without a window, for scripts.");
-    if (!ImGui::BeginPopup("file"))
+    if (!beginPopup("file"))
         return;
     fileOptions(session);
     ImGui::Separator();
@@ -166,7 +167,7 @@ void fileControls(const Session& session) {
     }
     noteItem("sheet file:choose");
     ImGui::EndDisabled();
-    ImGui::EndPopup();
+    endPopup();
 }
 
 /// A button with a parameter's name, and the field of its values, both of this width.
@@ -188,10 +189,10 @@ void axisControls(const Session& session, SheetState& state, const SheetAxes& sh
         ImGui::OpenPopup("paths");
     item(fmt::format("sheet:{}", sideNames.at(side)),
          Sentence("{0}\n{1}", ProperName{axis.path}, N_("Select another parameter.")));
-    if (ImGui::BeginPopup("paths")) {
+    if (beginPopup("paths")) {
         if (std::optional<std::string> path = choosePath(session, state, axis.path))
             choose({*std::move(path), "*"});
-        ImGui::EndPopup();
+        endPopup();
     }
     ImGui::SameLine(0, inner);
     ImGui::SetNextItemWidth(width);
@@ -214,7 +215,7 @@ void pairChoice(const Session& session, float width) {
     const char* current = choice.own ? N_("Your own pair") : sheetPairs().at(choice.pair).label;
     ImGui::SetNextItemWidth(width);
     const std::string name = fitted(current, listRoom(width));
-    const bool open = ImGui::BeginCombo("##pair", name.c_str(), ImGuiComboFlags_HeightLargest);
+    const bool open = beginCombo("##pair", name.c_str(), ImGuiComboFlags_HeightLargest);
     item("sheet:pair",
          "Useful pairs of parameters. Or select any two next to it, or in the panel with a right click.");
     if (!open)
@@ -228,7 +229,7 @@ void pairChoice(const Session& session, float width) {
             });
         item(fmt::format("sheet pair:{}", pair.name), pair.help);
     }
-    ImGui::EndCombo();
+    endCombo();
 }
 
 } // namespace

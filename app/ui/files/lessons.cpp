@@ -70,6 +70,7 @@ void look(Session& session, const lesson::Look& wanted) {
     }
     if (!wanted.param.empty())
         reveal(session, wanted.param);
+    session.window.stepWants = true;
     const ShownPictures before = session.view;
     if (const EnumRow* shown = findRow(EnumTable<reference::Shown>::rows,
                                        wanted.shown.empty() ? std::string_view("picture") : wanted.shown))

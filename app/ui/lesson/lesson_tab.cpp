@@ -7,8 +7,10 @@
 #include "app/ui/model/lesson_list.h"
 #include "app/ui/model/lesson_run.h"
 #include "app/ui/state/lesson_records.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 #include "app/ui/widgets/theme.h"
 #include "texplorer/base/sentence_format.h"
 
@@ -145,10 +147,11 @@ void answerSentences(const Session& session, const LessonRun& run, const Predict
         const std::string lines = wrappedLines(answerName(run, predict, i), room);
         const ImVec2 size = ImGui::CalcTextSize(lines.c_str());
         const ImVec2 low = ImGui::GetCursorScreenPos();
-        if (ImGui::Button("##answer", {room + em * 0.8F, size.y + em * 0.5F}))
+        const float above = std::max(em * 0.25F, (targetHeight() - size.y) / 2);
+        if (ImGui::Button("##answer", {room + em * 0.8F, size.y + 2 * above}))
             giveAnswer(session, i);
         noteItem(fmt::format("answer:{}", i + 1));
-        ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), em, {low.x + em * 0.4F, low.y + em * 0.25F},
+        ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), em, {low.x + em * 0.4F, low.y + above},
                                             answerInk(run, predict, i, color::text), lines.c_str());
         ImGui::PopID();
     }
@@ -208,7 +211,7 @@ void drawTask(const Session& session, const LessonRun& run, const Match& match, 
     }
     // It stays in place when disabled: it may have the keyboard focus.
     ImGui::BeginDisabled(passed);
-    if (ImGui::SmallButton(label("Hint")))
+    if (smallButton(label("Hint")))
         act(session, [](Session& changed) {
             if (changed.lesson)
                 changed.lesson->wantsHint = true;
@@ -304,8 +307,10 @@ void drawList(const Session& session) {
         const LessonProgress progress = progressOf(session.settings, each.name, each.steps);
         const std::string count = fmt::format("{} / {}", progress.done, progress.steps);
         const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(count.c_str()).x;
+        beginEntries();
         if (ImGui::Selectable(each.title.c_str(), false, 0, {room - ImGui::GetFontSize(), 0}))
             act(session, [name = each.name](Session& s) { askLesson(s, name); });
+        endEntries();
         noteItem("lesson:" + each.name);
         ImGui::SameLine(ImGui::GetCursorPosX() + room);
         dimText(count);

@@ -4,6 +4,7 @@
 #include "app/ui/model/level_edits.h"
 #include "app/ui/model/level_view.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/theme.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,7 @@ struct LevelBar {
 
 void drawLevelBar(const Session& session, const StripPlace& place, const LevelBar& bar) {
     const float em = ImGui::GetFontSize();
-    const float reach = em * 0.35F;
+    const float reach = std::max(em * 0.35F, targetHeight() / 4); // two may be near each other
     const float top = place.origin.y - em * 0.4F;
     const auto [hot, moved] =
         unseenHandle(bar.name, {bar.x - reach, top}, {2 * reach, place.strip.extent.y + em * 0.4F}, bar.help);
@@ -75,8 +76,9 @@ void drawLodEnd(const Session& session, const Texture& texture, const StripPlace
     const float x = place.xOf(static_cast<float>(place.base) + end.lod);
     const float reach = ImGui::GetFontSize() * 0.4F;
     const Sentence value = end.lod == end.unlimited ? Sentence("no limit") : Sentence("{0:.2f}", end.lod);
-    const auto [hot, moved] = unseenHandle(end.name, {x - reach, place.axis - reach * 1.5F},
-                                           {2 * reach, 2 * reach}, Sentence(end.help, value));
+    const float side = std::max(2 * reach, targetHeight() / 2);
+    const auto [hot, moved] = unseenHandle(end.name, {x - side / 2, place.axis - reach / 2 - side / 2},
+                                           {side, side}, Sentence(end.help, value));
     if (moved) {
         const float level = place.levelUnderMouse();
         const bool beyond = end.least ? level <= static_cast<float>(place.first) - 0.45F

@@ -68,7 +68,7 @@ void fixButtons(const Session& session, const Finding& finding) {
     for (const Fix& fix : finding.fixes) {
         if (&fix != &finding.fixes.front())
             sameLineFor(buttonWidth(fix.label), ImGui::GetStyle().ItemSpacing.x);
-        if (ImGui::SmallButton(label(fix.label).c_str()))
+        if (smallButton(label(fix.label).c_str()))
             applyFix(session, fix);
         item("levels:fix " + fix.label.english(), assignmentsOf(fix));
     }

@@ -2,6 +2,7 @@
 #include "app/ui/model/tex_coord_edits.h"
 #include "app/ui/parameters/sections.h"
 #include "app/ui/state/pinned.h"
+#include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/model_choice.h"
 #include "app/ui/widgets/param_names.h"
 #include "texplorer/base/translatable.h"
@@ -188,7 +189,7 @@ void matrixBlock(const Session& session) {
     dimText(steps == 0 ? N_("identity") : Sentence::plural("{0} step", "{0} steps", steps));
     if (steps > 0) {
         ImGui::SameLine();
-        if (ImGui::SmallButton(label("Edit")))
+        if (smallButton(label("Edit")))
             session.out.wantedSection = Section::Matrix;
         item("edit matrix", "Shows the steps of the texture matrix");
     }

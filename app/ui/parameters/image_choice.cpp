@@ -3,6 +3,7 @@
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/theme.h"
 #include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
@@ -111,13 +112,15 @@ void imageChoice(const Session& session, const Pictures& pictures) {
         choices.push_back(std::move(*file));
     const float em = ImGui::GetFontSize();
     const float gap = std::floor(em * 0.27F);
+    const float least = std::max(em * 2, targetHeight());
     const auto count = static_cast<std::size_t>(
-        std::clamp((ImGui::GetContentRegionAvail().x + gap) / (em * 2 + gap), 1.0F, 16.0F));
-    const float extent = std::floor(
-        (ImGui::GetContentRegionAvail().x + gap) / static_cast<float>(std::max(count, minPerLine)) - gap);
+        std::clamp((ImGui::GetContentRegionAvail().x + gap) / (least + gap), 1.0F, 16.0F));
+    const std::size_t perLine = targetHeight() > 0 ? count : std::max(count, minPerLine);
+    const float extent =
+        std::floor((ImGui::GetContentRegionAvail().x + gap) / static_cast<float>(perLine) - gap);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
     for (std::size_t i = 0; i < choices.size(); ++i) {
-        if (i % std::max(count, minPerLine) > 0)
+        if (i % perLine > 0)
             ImGui::SameLine();
         drawChoice(session, pictures, choices[i], std::max(1.0F, extent));
     }

@@ -6,8 +6,10 @@
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
+#include "app/ui/widgets/popups.h"
 #include "app/ui/widgets/segments.h"
 #include "app/ui/widgets/text_field.h"
+#include "app/ui/widgets/theme.h"
 #include "texplorer/base/sentence.h"
 #include "texplorer/scene/params/keys.h"
 
@@ -237,7 +239,7 @@ void noteTab(std::size_t number) {
 std::optional<std::size_t> tabList(const ParametersState& state) {
     const char* shown = state.search.empty() ? rowOf(state.tab).label : N_("Search");
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    const bool open = ImGui::BeginCombo("##tabs", tr(shown), ImGuiComboFlags_HeightLargest);
+    const bool open = beginCombo("##tabs", tr(shown), ImGuiComboFlags_HeightLargest);
     noteItem("parameters' tabs");
     if (!open)
         return std::nullopt;
@@ -248,12 +250,15 @@ std::optional<std::size_t> tabList(const ParametersState& state) {
             pressed = i;
         noteTab(i);
     }
-    ImGui::EndCombo();
+    endCombo();
     return pressed;
 }
 
 void tabBar(ParametersState& state) {
-    constexpr std::size_t maxLines = 3;
+    constexpr float comfortable = 30; // height for large tabs, in letters' heights
+    const bool isLow =
+        targetHeight() > 0 && ImGui::GetContentRegionAvail().y < comfortable * ImGui::GetFontSize();
+    const std::size_t maxLines = isLow ? 1 : 3;
     const std::vector<Segment> tabs = segmentsOf(parameterTabRows, &ParameterTabRow::label);
     const std::optional<SegmentPlan> plan = planSegments(tabs, ImGui::GetContentRegionAvail().x, maxLines);
     ImGui::PushID("tabs");
@@ -297,7 +302,7 @@ void drawParametersPanel(const Session& session, ParametersState& state, const P
     ImGui::Dummy({0, 0});
 
     const float em = ImGui::GetFontSize();
-    const bool tight = ImGui::GetContentRegionAvail().y < comfortable * em;
+    const bool tight = targetHeight() == 0 && ImGui::GetContentRegionAvail().y < comfortable * em;
     const ImGuiStyle& style = ImGui::GetStyle();
     if (tight) {
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {style.FramePadding.x, std::floor(em * 0.07F)});

@@ -8,6 +8,7 @@
 #include "app/ui/widgets/list_buttons.h"
 #include "app/ui/widgets/param_parts.h"
 #include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/popups.h"
 #include "texplorer/scene/params/keys.h"
 #include "texplorer/texture/level_plan.h"
 
@@ -199,7 +200,7 @@ void preparationList(const Session& session, std::size_t texture, const LevelsSu
     }
     ImGui::BeginDisabled(steps.size() >= maxImageSteps);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    if (ImGui::BeginCombo("##add step", tr("+ Step"), ImGuiComboFlags_NoArrowButton)) {
+    if (beginCombo("##add step", tr("+ Step"), ImGuiComboFlags_NoArrowButton)) {
         for (const EnumRow& op : imageOpRows) {
             if (ImGui::Selectable(label(op.label).c_str())) {
                 const std::string list = owner + keyOf<&Texture::preparation>();
@@ -212,7 +213,7 @@ void preparationList(const Session& session, std::size_t texture, const LevelsSu
             noteItem(fmt::format("add step:{}", op.name));
             choiceTip(op);
         }
-        ImGui::EndCombo();
+        endCombo();
     }
     noteItem("add step");
     ImGui::EndDisabled();

@@ -5,6 +5,7 @@
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
+#include "app/ui/widgets/popups.h"
 #include "app/ui/widgets/upload_edits.h"
 #include "texplorer/scene/params/keys.h"
 #include "texplorer/text/printable.h"
@@ -32,7 +33,7 @@ void textureChoice(const Session& session) {
     const float width = ImGui::GetContentRegionAvail().x - 2 * button;
     const std::string shown = fitted(current, listRoom(width));
     ImGui::SetNextItemWidth(width);
-    if (ImGui::BeginCombo("##bound", shown.c_str())) {
+    if (beginCombo("##bound", shown.c_str())) {
         for (int i = 0; i < static_cast<int>(presentScene(session).textures.size()); ++i) {
             const std::string name = tr(textureName(session, i));
             if (ImGui::Selectable(name.c_str(), i == unit.texture) && i != unit.texture) {
@@ -44,7 +45,7 @@ void textureChoice(const Session& session) {
             }
             noteItem(fmt::format("bind:{}", i));
         }
-        ImGui::EndCombo();
+        endCombo();
     }
     noteItem("texture choice");
     if (row) {
@@ -70,9 +71,9 @@ void uploadGroup(const Session& session) {
     if (session.out.wantedParam.starts_with(owner.path + "."))
         ImGui::SetNextItemOpen(true);
     ImGui::PushStyleColor(ImGuiCol_Text, boundTexture(session)->upload.custom ? color::changed : color::text);
-    const bool open =
-        ImGui::TreeNodeEx("upload", ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen,
-                          "%s", tr("Upload"));
+    const bool open = ImGui::TreeNodeEx(
+        "upload", nodeHeight() | ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen,
+        "%s", tr("Upload"));
     ImGui::PopStyleColor();
     item(owner.path + "#group", "What the program's memory holds of the image, and what glTexImage is told");
     if (open)

@@ -2,6 +2,7 @@
 #include "app/ui/model/notice.h"
 #include "app/ui/parameters/sections.h"
 #include "app/ui/widgets/buttons.h"
+#include "app/ui/widgets/theme.h"
 #include "texplorer/scene/params/keys.h"
 
 #include <fmt/core.h>
@@ -76,7 +77,8 @@ void drawUnit(const Session& session, const Pictures& pictures, int number, floa
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const std::string shown = std::to_string(number);
     const float digit = ImGui::CalcTextSize(shown.c_str()).x;
-    const float toggle = std::floor(std::clamp(width - digit - 3 * pad, em * 0.6F, em * 1.2F));
+    const float toggle =
+        std::floor(std::clamp(width - digit - 3 * pad, em * 0.6F, std::max(em * 1.2F, targetHeight() / 2)));
     ImGui::PushID(number);
     if (overlappedItem([&] { return markedButton("##unit", isChosen, {width, height}); })) // by the switch
         act(session, [number](Session& changed) { changed.look.selection.unit = number; });
@@ -85,11 +87,11 @@ void drawUnit(const Session& session, const Pictures& pictures, int number, floa
     if (isChosen)
         draw.AddRectFilled({low.x + pad, low.y + height - std::ceil(pad * 0.7F)},
                            {low.x + width - pad, low.y + height}, ImGui::GetColorU32(ImGuiCol_CheckMark));
-    const float extent = height - 2 * pad;
+    const float extent = std::min(height - 2 * pad, em * 1.6F);
     const float textAt = low.x + 2 * pad + extent;
     const bool hasRoom = textAt + digit + toggle + 2 * pad <= low.x + width;
     if (hasRoom)
-        drawThumbnail(session, pictures, unit, number, {low.x + pad, low.y + pad}, extent);
+        drawThumbnail(session, pictures, unit, number, {low.x + pad, low.y + (height - extent) / 2}, extent);
     draw.AddText({hasRoom ? textAt : low.x + pad, low.y + (height - em) / 2},
                  unit.enabled ? color::text : color::dim, shown.c_str());
 
@@ -124,7 +126,7 @@ void reachLine(const Session& session) {
         ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
         ImGui::SameLine();
     ImGui::BeginDisabled(presentScene(session).textures.size() >= maxTextures);
-    if (ImGui::SmallButton(label(give)))
+    if (smallButton(label(give)))
         ownTexture(session);
     noteItem("own texture");
     ImGui::EndDisabled();
@@ -188,7 +190,7 @@ Sentence sharersText(const Session& session, int unit) {
 void unitBar(const Session& session, const Pictures& pictures) {
     const float em = ImGui::GetFontSize();
     const float gap = std::floor(em * 0.25F);
-    const float height = std::floor(em * 2);
+    const float height = std::max(std::floor(em * 2), targetHeight());
     const float room = ImGui::GetContentRegionAvail().x;
     float words = ImGui::CalcTextSize(tr("Unit")).x + 2 * gap;
     if (room - words < em * 8) // the numbers and switches need it

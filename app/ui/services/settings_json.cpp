@@ -110,6 +110,7 @@ constexpr std::array settingRows{
     choiceRow<&Settings::language, languageRows, &LanguageRow::language>("language"),
     SettingRow{"textPercent", [](const Settings& settings) { return SettingsJson(settings.textPercent); },
                readTextPercent},
+    switchRow<&Settings::largeControls>("largeControls"),
     switchRow<&Settings::glNames>("glNames"),
     switchRow<&Settings::helpBelow>("helpBelow"),
     switchRow<&Settings::hasSeenTour>("hasSeenTour"),

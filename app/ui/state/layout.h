@@ -32,10 +32,11 @@ struct PaneGrid {
 /// The rectangles of all parts, computed by `layoutFor`. The panels fill the window without overlapping: menu
 /// at the top, status bar at the bottom, between them three columns with draggable seams; the middle and the
 /// right one are above the dock below. A closed panel, or one hidden by something maximised, is empty, and so
-/// is its seam. In a narrow window that is higher than wide, they are above each other: the view, the
-/// parameters or the texture, and one dock.
+/// is its seam. In a narrow window that is higher than wide, one panel is there, as a sheet below the view; a
+/// bar between them chooses it.
 struct Layout {
     float scale = 1;
+    bool isStacked = false; ///< a narrow window
     Rect window;
     Rect menu;
     Rect parameters;
@@ -46,6 +47,7 @@ struct Layout {
     Rect texture;   ///< right column, top
     Rect rightDock; ///< right column, bottom
     Rect belowDock; ///< below the view and the right column
+    Rect sheets;    ///< the bar above a sheet
     Rect status;
     Rect leftSeam;
     Rect rightSeam;

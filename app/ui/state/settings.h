@@ -48,6 +48,7 @@ struct Settings {
     Theme theme = Theme::Dark;
     Language language = Language::System;
     int textPercent = 100;           ///< relative to the usual text size
+    bool largeControls = false;      ///< for fingers
     bool glNames = false;            ///< parameters have OpenGL's names
     std::vector<std::string> pinned; ///< additional parameters in Essentials, such as "textures[].wrapR"
     std::vector<std::filesystem::path> recentFiles; ///< scenes and images, newest first

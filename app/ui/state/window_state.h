@@ -26,6 +26,7 @@ struct WindowState {
     int textureUnits = maxUnits;          ///< of the driver, as far as known
     Figure figure = Figure::Environments; ///< in the tab of figures
     std::optional<Tab> wantedTab;         ///< opened and brought to the front in the next frame
+    bool stepWants = false;               ///< a lesson's step wants it, or a parameter
     std::optional<Capture> wantedCapture; ///< written in the next frame whose view is complete
     std::optional<int> tour;              ///< the current step of the tour, from 0
     std::string hoveredParam; ///< under the pointer in the last frame, in any panel: all panels highlight it

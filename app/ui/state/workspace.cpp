@@ -32,6 +32,24 @@ std::optional<Tab> frontOf(const Workspace& workspace, Dock dock) {
     return first == tabRows.end() ? std::nullopt : std::optional(first->tab);
 }
 
+std::optional<Panel> sheetOf(const Workspace& workspace) {
+    const auto isThere = [&](Panel panel) {
+        return panel == Panel::Parameters ? workspace.parameters
+               : panel == Panel::TextureSpace
+                   ? workspace.textureSpace
+                   : frontOf(workspace, panel == Panel::Right ? Dock::Right : Dock::Below).has_value();
+    };
+    const Maximised whole = maximisedOf(workspace);
+    if (whole == Maximised::TextureSpace)
+        return Panel::TextureSpace;
+    if (whole == Maximised::Right || whole == Maximised::Below)
+        return whole == Maximised::Right ? Panel::Right : Panel::Below;
+    if (isThere(workspace.sheet))
+        return workspace.sheet;
+    const auto first = std::ranges::find_if(panelRows, isThere, &PanelRow::panel);
+    return first == panelRows.end() ? std::nullopt : std::optional(first->panel);
+}
+
 bool isShown(const Workspace& workspace, Tab tab) {
     const Dock dock = dockOf(workspace, tab);
     const Maximised filling = maximisedOf(workspace);
@@ -59,6 +77,7 @@ void closeTab(Workspace& workspace, Tab tab) {
 void moveTab(Workspace& workspace, Tab tab, Dock dock) {
     placeOf(workspace, tab) = {dock, true};
     workspace.front[static_cast<std::size_t>(dock)] = tab;
+    workspace.sheet = panelOf(dock);
     if (workspace.maximised != maximised(dock))
         workspace.maximised = Maximised::None;
 }
@@ -87,6 +106,7 @@ const LayoutRow* layoutOf(const Workspace& workspace) {
     const auto found = std::ranges::find_if(layoutRows, [&](const LayoutRow& row) {
         Workspace named = workspaceOf(row);
         named.front = workspace.front;
+        named.sheet = workspace.sheet;
         named.seams = workspace.seams;
         named.maximised = workspace.maximised;
         placeOf(named, Tab::Lesson) = placeOf(workspace, Tab::Lesson);

@@ -29,6 +29,19 @@ struct TabPlace {
 /// The maximised panel: the view fills the whole window, the others all except the parameters.
 enum class Maximised { None, View, TextureSpace, Right, Below };
 
+/// The panels around the view. A dock is there if one of its tabs is open.
+enum class Panel { Parameters, TextureSpace, Right, Below };
+struct PanelRow {
+    Panel panel;
+    std::string_view name; ///< in the settings file
+};
+inline constexpr std::array panelRows{
+    PanelRow{Panel::Parameters, "parameters"},
+    PanelRow{Panel::TextureSpace, "textureSpace"},
+    PanelRow{Panel::Right, "right"},
+    PanelRow{Panel::Below, "below"},
+};
+
 /// Which panels are open, their places and sizes: a value that is kept between windows. A dock without open
 /// tabs takes no room.
 struct Workspace {
@@ -36,6 +49,7 @@ struct Workspace {
     bool textureSpace = true;
     std::array<TabPlace, tabRows.size()> tabs = atHome();                ///< by Tab
     std::array<Tab, dockRows.size()> front{Tab::Vertices, Tab::Explain}; ///< by Dock; see frontOf
+    Panel sheet = Panel::Parameters;                                     ///< in a narrow window; see sheetOf
     Seams seams;
     Maximised maximised = Maximised::None; ///< not saved
 
@@ -50,11 +64,19 @@ private:
     }
 };
 
+[[nodiscard]] constexpr Panel panelOf(Dock dock) {
+    return dock == Dock::Right ? Panel::Right : Panel::Below;
+}
+
 [[nodiscard]] bool isOpen(const Workspace& workspace, Tab tab);
 [[nodiscard]] Dock dockOf(const Workspace& workspace, Tab tab);
 
 /// The visible tab of a dock; none: no tab is open in it.
 [[nodiscard]] std::optional<Tab> frontOf(const Workspace& workspace, Dock dock);
+
+/// The panel that a narrow window shows below the view: the chosen one, or, if it is not there, the first
+/// one; none: no panel is there.
+[[nodiscard]] std::optional<Panel> sheetOf(const Workspace& workspace);
 
 /// Whether a tab is visible: in front, and not hidden by something maximised.
 [[nodiscard]] bool isShown(const Workspace& workspace, Tab tab);

@@ -69,6 +69,13 @@ bool readDock(const WorkspaceJson& value, Dock& dock) {
     return named != nullptr;
 }
 
+bool readSheet(const WorkspaceJson& value, Panel& sheet) {
+    const PanelRow* named = rowNamed(panelRows, value);
+    if (named)
+        sheet = named->panel;
+    return named != nullptr;
+}
+
 bool readTab(const WorkspaceJson& tab, TabPlace& place) {
     return readMember(tab, "dock", [&](const WorkspaceJson& value) { return readDock(value, place.dock); }) &&
            readMember(tab, "open", [&](const WorkspaceJson& value) { return readSwitch(value, place.open); });
@@ -100,6 +107,7 @@ std::string writeWorkspace(const Workspace& workspace) {
     for (const DockRow& row : dockRows)
         json["front"][std::string(row.name)] =
             rowOf(workspace.front[static_cast<std::size_t>(row.dock)]).name;
+    json["sheet"] = std::ranges::find(panelRows, workspace.sheet, &PanelRow::panel)->name;
     for (const SeamRow& row : seamRows)
         json["seams"][std::string(row.name)] = workspace.seams.*row.member;
     return json.dump(2) + "\n";
@@ -125,7 +133,10 @@ std::optional<Workspace> parseWorkspace(std::string_view text) {
         return readSeam(value, row.max, workspace.seams.*row.member);
     };
     const bool isKnown = readMembers(json, shownRows, shown) && part("tabs", tabRows, tab) &&
-                         part("front", dockRows, front) && part("seams", seamRows, seam);
+                         part("front", dockRows, front) && part("seams", seamRows, seam) &&
+                         readMember(json, "sheet", [&](const WorkspaceJson& value) {
+                             return readSheet(value, workspace.sheet);
+                         });
     return isKnown ? std::optional(workspace) : std::nullopt;
 }
 

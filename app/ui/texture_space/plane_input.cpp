@@ -5,6 +5,7 @@
 #include "app/ui/texture_space/plane_tools.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/points.h"
+#include "app/ui/widgets/theme.h"
 
 #include <algorithm>
 #include <array>
@@ -35,7 +36,7 @@ std::optional<NearVertex> nearestOf(const Canvas& canvas, const Mesh& mesh, std:
                                     std::optional<std::size_t> chosen, ImVec2 mouse) {
     std::optional<NearVertex> best;
     constexpr float alike = 1; // in pixels: the same place
-    const float reach = ImGui::GetFontSize() * 0.55F;
+    const float reach = std::max(ImGui::GetFontSize() * 0.55F, targetHeight() / 2);
     const auto consider = [&](std::size_t vertex) {
         const float distance = distanceTo(canvas, places[vertex], mouse, reach);
         if (distance <= reach && (!best || distance < best->distance - alike))

@@ -10,6 +10,7 @@
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_place.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 #include "app/ui/widgets/theme.h"
 #include "texplorer/scene/params/param_text.h"
 #include "texplorer/scene/params/params.h"
@@ -46,7 +47,7 @@ std::string nameOfGrid(float grid) {
 
 void gridChoice(TimelineTabState& state) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 6);
-    const bool open = ImGui::BeginCombo("##grid", nameOfGrid(state.grid).c_str());
+    const bool open = beginCombo("##grid", nameOfGrid(state.grid).c_str());
     item("timeline:grid", "Dragging snaps to multiples of this.");
     if (!open)
         return;
@@ -55,7 +56,7 @@ void gridChoice(TimelineTabState& state) {
             state.grid = grid;
         noteItem(fmt::format("timeline grid:{:g}", grid));
     }
-    ImGui::EndCombo();
+    endCombo();
 }
 
 void timeControls(const Session& session, TimelineTabState& state) {
@@ -95,7 +96,7 @@ void drawBeginning(const Session& session) {
 void easingChoice(const Session& session, const TimelineTabState::ChosenKey& chosen, const KeyFrame& key) {
     const EnumRow& now = rowOf(key.easing);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 10);
-    const bool open = ImGui::BeginCombo("##easing", tr(now.label).c_str());
+    const bool open = beginCombo("##easing", tr(now.label).c_str());
     item("key:easing",
          Sentence("{0}\n{1}", N_("How the value changes from this key to the next one."), now.help));
     if (!open)
@@ -105,7 +106,7 @@ void easingChoice(const Session& session, const TimelineTabState::ChosenKey& cho
             setEasing(session, chosen.number, static_cast<Easing>(row.value));
         item(fmt::format("easing:{}", row.name), row.help);
     }
-    ImGui::EndCombo();
+    endCombo();
 }
 
 void timeOfKey(const Session& session, const TimelineTabState::ChosenKey& chosen, float time) {

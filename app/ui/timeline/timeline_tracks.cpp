@@ -7,6 +7,7 @@
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 #include "app/ui/widgets/theme.h"
 #include "texplorer/base/translatable.h"
 #include "texplorer/scene/params/params.h"
@@ -42,8 +43,8 @@ TrackPlan planTracks(const Session& session, const TimelineTabState& state) {
     const float room = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
     TrackPlan plan;
     plan.names = std::floor(std::min(em * 18, room * 0.36F));
-    plan.height = std::floor(em * 1.75F);
-    plan.key = std::floor(em * 0.42F);
+    plan.height = std::max(std::floor(em * 1.75F), targetHeight());
+    plan.key = std::max(std::floor(em * 0.42F), targetHeight() / 4);
     const Timeline& timeline = presentScene(session).timeline;
     plan.scale.left = ImGui::GetCursorScreenPos().x + plan.names + 2 * plan.key;
     plan.scale.width = std::max(em, room - plan.names - 4 * plan.key);
@@ -71,7 +72,7 @@ void drawPresent(ImDrawList& draw, const Session& session, const TimeScale& scal
 
 void ruler(const Session& session, TimelineTabState& state, const TrackPlan& plan) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const float height = std::floor(ImGui::GetFontSize() * 1.35F);
+    const float height = std::max(std::floor(ImGui::GetFontSize() * 1.35F), targetHeight());
     ImGui::SetCursorScreenPos({low.x + plan.names, low.y});
     ImGui::InvisibleButton("ruler", {plan.scale.width + 4 * plan.key, height});
     noteItem("timeline:ruler");
@@ -89,7 +90,7 @@ void drawDiamond(ImDrawList& draw, ImVec2 at, float radius, ImU32 ink) {
 }
 
 void keyMenu(const Session& session, std::size_t number, const KeyFrame& key) {
-    if (!ImGui::BeginPopup("keymenu"))
+    if (!beginPopup("keymenu"))
         return;
     dimText(Sentence("{0:.2f} s", key.time));
     ImGui::Separator();
@@ -103,7 +104,7 @@ void keyMenu(const Session& session, std::size_t number, const KeyFrame& key) {
     if (ImGui::MenuItem(label("Remove this key frame"), tr("Delete")))
         removeKey(session, number);
     noteItem("key menu:remove");
-    ImGui::EndPopup();
+    endPopup();
 }
 
 /// Draws a key and handles the mouse on it; `room` is the space for its value on the right.
@@ -193,13 +194,13 @@ void trackName(const Session& session, const TrackPlan& plan, const std::string&
     helpTip(Sentence("{0}\nClick: show the setting", ProperName{path}));
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right) || isMenuAsked())
         ImGui::OpenPopup("trackmenu");
-    if (ImGui::BeginPopup("trackmenu")) {
+    if (beginPopup("trackmenu")) {
         dimPlainText(path);
         ImGui::Separator();
         if (ImGui::MenuItem(label("Remove its key frames")))
             removeKeys(session, path);
         item("track menu:remove", "The parameter keeps its present value.");
-        ImGui::EndPopup();
+        endPopup();
     }
     const Result<std::string> now = getParam(presentScene(session), path);
     const std::string value =

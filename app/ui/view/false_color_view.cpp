@@ -4,6 +4,7 @@
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 #include "texplorer/base/sentence_format.h"
 
 #include <fmt/core.h>
@@ -93,9 +94,9 @@ void drawShownChoice(const Session& session) {
                   "pixel's footprint (anisotropy)");
     if (pressed)
         ImGui::OpenPopup(N_("shown choices"));
-    if (ImGui::BeginPopup(N_("shown choices"))) {
+    if (beginPopup(N_("shown choices"))) {
         shownItems(session);
-        ImGui::EndPopup();
+        endPopup();
     }
 }
 

@@ -5,6 +5,8 @@
 #include "app/ui/view/renderer_choice.h"
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
+#include "app/ui/widgets/theme.h"
 
 #include <fmt/core.h>
 
@@ -36,7 +38,7 @@ void rendererCombo(const Session& session, std::size_t which, ImVec2 at, float w
     ImGui::SetCursorScreenPos(at);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, color::shade);
     ImGui::SetNextItemWidth(std::min(comboWidth(compared), width));
-    const bool open = ImGui::BeginCombo(id.c_str(), labelWithin(compared, listRoom(width)).c_str());
+    const bool open = beginCombo(id.c_str(), labelWithin(compared, listRoom(width)).c_str());
     ImGui::PopStyleColor();
     const std::string name = fmt::format("compared:{}", which);
     noteItem(name);
@@ -51,7 +53,7 @@ void rendererCombo(const Session& session, std::size_t which, ImVec2 at, float w
             act(session, [which, renderer](Session& changed) { changed.view.compared.at(which) = renderer; });
         item(fmt::format("{}={}", name, row.name), helpOf(settings, row));
     }
-    ImGui::EndCombo();
+    endCombo();
 }
 
 /// "A" on the left of the view, "Now" on its right; or a note that the view shows only A.
@@ -159,7 +161,8 @@ void paneSeam(const Session& session, const Layout& layout) {
     if (arrangement != Arrangement::Split && arrangement != Arrangement::Kept)
         return;
     const Rect& whole = layout.picture;
-    const float reach = ImGui::GetFontSize() * 0.4F;
+    const float handle = ImGui::GetFontSize() * 0.4F;
+    const float reach = std::max(handle, targetHeight() / 2);
     const float x =
         static_cast<float>(whole.x) + std::round(session.view.split * static_cast<float>(whole.width));
     // At the picture's edge, where the panel's padding gets no mouse, the grip stays inside.
@@ -183,8 +186,8 @@ void paneSeam(const Session& session, const Layout& layout) {
     draw.AddLine(top, bottom, color::shade, 3);
     draw.AddLine(top, bottom, tint, 1);
     const ImVec2 middle(x, (top.y + bottom.y) / 2);
-    draw.AddRectFilled({middle.x - reach * 0.6F, middle.y - 3 * reach},
-                       {middle.x + reach * 0.6F, middle.y + 3 * reach}, tint, reach * 0.6F);
+    draw.AddRectFilled({middle.x - handle * 0.6F, middle.y - 3 * handle},
+                       {middle.x + handle * 0.6F, middle.y + 3 * handle}, tint, handle * 0.6F);
 }
 
 void drawLegend(ImDrawList& draw, const Pane& pane, const HeatScale& scale) {

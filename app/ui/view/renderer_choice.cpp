@@ -4,6 +4,7 @@
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 
 #include <functional>
 #include <vector>
@@ -78,7 +79,7 @@ void drawList(const Session& session, float maxWidth) {
                        ImGui::CalcTextSize(listSign).x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize());
     const std::string words = fitted(chosenWords(settings), room + 1) + listSign;
-    const bool open = ImGui::BeginMenu((words + "###renderers").c_str());
+    const bool open = beginMenu((words + "###renderers").c_str());
     noteItem("renderers");
     if (!open)
         return helpTip("The renderer of the picture");
@@ -89,7 +90,7 @@ void drawList(const Session& session, float maxWidth) {
             choose(session, each);
         item("renderer:" + each.name, each.help);
     }
-    ImGui::EndMenu();
+    endMenu();
 }
 
 } // namespace

@@ -12,6 +12,7 @@
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 #include "texplorer/scene/picking.h"
 #include "texplorer/scene/sent_vertices.h"
 #include "texplorer/scene/tex_coords.h"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 namespace texplorer::ui {
@@ -33,7 +35,7 @@ constexpr const char* moreLabel = "…";
 
 /// The choices of the tool row that do not fit, and Frame.
 void moreMenu(const Session& session, const Layout& layout, std::size_t first) {
-    if (!ImGui::BeginPopup("more"))
+    if (!beginPopup("more"))
         return;
     const auto shown = shownNow(presentScene(session));
     for (std::size_t i = first; i < showRows.size(); ++i) {
@@ -47,7 +49,7 @@ void moreMenu(const Session& session, const Layout& layout, std::size_t first) {
     if (ImGui::MenuItem(label(frameLabel), "F"))
         frameAll(session, layout);
     item("frame", frameHelp);
-    ImGui::EndPopup();
+    endPopup();
 }
 
 /// The choices of what the view shows. Those that do not fit are in a menu at the end.
@@ -233,22 +235,31 @@ void pick(const Session& session, const Layout& layout, const Panes& panes) {
     });
 }
 
-/// What the mouse does, the least obvious first; as many hints as fit.
+/// What the mouse or fingers do, the least obvious first; as many hints as fit.
 struct ViewHint {
     const char* words;
     const char* key = ""; ///< that a lesson may use
 };
-constexpr std::array hints{ViewHint{N_("Hold E: explain"), "E"},
-                           ViewHint{N_("Drag: orbit")},
-                           ViewHint{N_("Wheel: zoom")},
-                           ViewHint{N_("Right drag: pan")},
-                           ViewHint{N_("M: magnifier"), "M"},
-                           ViewHint{N_("Click: select a vertex")},
-                           ViewHint{N_("Ctrl + wheel: enlarge the pixels")}};
+constexpr std::array mouseHints{ViewHint{N_("Hold E: explain"), "E"},
+                                ViewHint{N_("Drag: orbit")},
+                                ViewHint{N_("Wheel: zoom")},
+                                ViewHint{N_("Right drag: pan")},
+                                ViewHint{N_("M: magnifier"), "M"},
+                                ViewHint{N_("Click: select a vertex")},
+                                ViewHint{N_("Ctrl + wheel: enlarge the pixels")}};
+constexpr std::array fingerHints{ViewHint{N_("Hold: explain")}, ViewHint{N_("Drag: orbit")},
+                                 ViewHint{N_("Two fingers: zoom and pan")},
+                                 ViewHint{N_("Tap: select a vertex")}};
+
+std::span<const ViewHint> hintsOf(const Session& session) {
+    if (areHintsForFingers(session))
+        return fingerHints;
+    return mouseHints;
+}
 
 Sentence hintsFor(const Session& session, float available) {
     Sentence line;
-    for (const ViewHint& hint : hints) {
+    for (const ViewHint& hint : hintsOf(session)) {
         if (isTakenByLesson(session, hint.key))
             continue;
         const Sentence longer = line.empty() ? hint.words : Sentence("{0}  ·  {1}", line, hint.words);
@@ -307,6 +318,10 @@ void hoverVertex(const Session& session, std::optional<PickedVertex> vertex) {
 }
 
 } // namespace
+
+bool areHintsForFingers(const Session& session) {
+    return session.settings.largeControls && !session.window.page.empty();
+}
 
 void drawViewPanel(const Session& session, const Pictures& pictures, const Layout& layout) {
     beginPanel(N_("View"), layout.view, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/ui/language/translate.h"
+#include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/tip.h"
 #include "app/ui/widgets/widget_places.h"
 
@@ -32,6 +33,16 @@ inline bool button(const Sentence& words, std::string_view name, const Sentence&
     ImGui::EndDisabled();
     helpTip(help);
     return pressed;
+}
+
+/// A button as high as its text, or, with large controls, as any other one.
+inline bool smallButton(const char* words) {
+    return targetHeight() > 0 ? ImGui::Button(words) : ImGui::SmallButton(words);
+}
+
+/// Flags of a tree's node: with large controls, it is as high as a button.
+inline ImGuiTreeNodeFlags nodeHeight() {
+    return targetHeight() > 0 ? ImGuiTreeNodeFlags_FramePadding : ImGuiTreeNodeFlags_None;
 }
 
 /// A button that stands out while it is marked; a flat one has no ground otherwise.

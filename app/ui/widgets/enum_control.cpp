@@ -4,6 +4,7 @@
 #include "app/ui/widgets/param_names.h"
 #include "app/ui/widgets/param_parts.h"
 #include "app/ui/widgets/param_tips.h"
+#include "app/ui/widgets/popups.h"
 #include "app/ui/widgets/theme.h"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ bool listOfChoices(const Session& session, const Owner& owner, const ParamRow& r
     const std::string shown =
         fitted(hasRoom ? full : std::string(shownBrief(session.settings, *current)), room);
     bool changed = false;
-    if (!ImGui::BeginCombo("##value", shown.c_str(), ImGuiComboFlags_HeightLargest))
+    if (!beginCombo("##value", shown.c_str(), ImGuiComboFlags_HeightLargest))
         return false;
     ImGui::PushStyleColor(ImGuiCol_Text, color::text); // the list of a dim row isn't dim
     float names = 0;
@@ -81,7 +82,7 @@ bool listOfChoices(const Session& session, const Owner& owner, const ParamRow& r
         const auto choices = rest.first(static_cast<std::size_t>(end - rest.begin()));
         const bool isMenu = row.choices.size() > maxListed && rest.data() != row.choices.data();
         rest = rest.subspan(choices.size());
-        const bool isOpen = !isMenu || ImGui::BeginMenu(label(group).c_str());
+        const bool isOpen = !isMenu || beginMenu(label(group).c_str());
         if (isMenu)
             noteItem(fmt::format("{}#group {}", path, group));
         else if (!group.empty())
@@ -89,10 +90,10 @@ bool listOfChoices(const Session& session, const Owner& owner, const ParamRow& r
         if (isOpen)
             std::ranges::for_each(choices, drawChoice);
         if (isMenu && isOpen)
-            ImGui::EndMenu();
+            endMenu();
     }
     ImGui::PopStyleColor();
-    ImGui::EndCombo();
+    endCombo();
     return changed;
 }
 

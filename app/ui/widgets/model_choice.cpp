@@ -4,6 +4,7 @@
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 #include "texplorer/scene/drawn_models.h"
 
 #include <fmt/core.h>
@@ -26,7 +27,7 @@ void modelChoice(const Session& session, float minWidth, float maxWidth) {
     const float width = std::clamp(textWidth(chosen) + beside + 1, minWidth, maxWidth);
     const std::string shown = fitted(chosen, listRoom(width));
     ImGui::SetNextItemWidth(width);
-    if (ImGui::BeginCombo("##model", shown.c_str())) {
+    if (beginCombo("##model", shown.c_str())) {
         for (int i = 0; i < static_cast<int>(models.size()); ++i) {
             if (ImGui::Selectable(tr(name(i)).c_str(), i == session.look.selection.model))
                 act(session, [i](Session& changed) {
@@ -35,7 +36,7 @@ void modelChoice(const Session& session, float minWidth, float maxWidth) {
                 });
             noteItem(fmt::format("model:{}", i));
         }
-        ImGui::EndCombo();
+        endCombo();
     }
     noteItem("model choice");
     noteItem("model choice:" + shown);

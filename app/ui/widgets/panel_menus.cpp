@@ -5,6 +5,7 @@
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/fitted_text.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 
 namespace texplorer::ui {
 namespace {
@@ -12,7 +13,10 @@ namespace {
 void textureSpaceItems(const Session& session) {
     const Workspace& shown = session.settings.workspace;
     if (menuChoice(N_("Shown"), shown.textureSpace))
-        rearrange(session, [](Workspace& workspace) { workspace.textureSpace = !workspace.textureSpace; });
+        rearrange(session, [](Workspace& workspace) {
+            workspace.textureSpace = !workspace.textureSpace;
+            workspace.sheet = Panel::TextureSpace;
+        });
     if (menuItem("Maximised", tr("Double click"), true, maximisedOf(shown) == Maximised::TextureSpace))
         rearrange(session, [](Workspace& workspace) {
             workspace.textureSpace = true;
@@ -33,12 +37,12 @@ bool menuChoice(const Sentence& name, bool marked) {
 }
 
 void menuOf(const char* name, const std::function<void()>& items) {
-    const bool open = ImGui::BeginMenu(label(name));
+    const bool open = beginMenu(label(name));
     noteItem(std::string("menu:") + name);
     if (!open)
         return;
     items();
-    ImGui::EndMenu();
+    endMenu();
 }
 
 void textureSpaceTitle(const Session& session, float room) {
@@ -48,9 +52,9 @@ void textureSpaceTitle(const Session& session, float room) {
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         rearrange(session, [](Workspace& workspace) { toggleMaximised(workspace, Maximised::TextureSpace); });
     helpTip("Double click: maximises the panel, or restores it. Right click: more.");
-    if (ImGui::BeginPopupContextItem(N_("texture space menu"))) {
+    if (beginPopupContextItem(N_("texture space menu"))) {
         textureSpaceItems(session);
-        ImGui::EndPopup();
+        endPopup();
     }
 }
 
@@ -90,7 +94,10 @@ void dockMenuItems(const Session& session, Dock dock) {
 
 void panelItems(const Session& session) {
     if (menuChoice(N_("Parameters"), session.settings.workspace.parameters))
-        rearrange(session, [](Workspace& workspace) { workspace.parameters = !workspace.parameters; });
+        rearrange(session, [](Workspace& workspace) {
+            workspace.parameters = !workspace.parameters;
+            workspace.sheet = Panel::Parameters;
+        });
     menuOf("Texture space", [&] { textureSpaceItems(session); });
     ImGui::Separator();
     for (const TabRow& row : tabRows)

@@ -6,6 +6,7 @@
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/palette.h"
 #include "app/ui/widgets/param_parts.h"
+#include "app/ui/widgets/popups.h"
 #include "texplorer/scene/params/key_edits.h"
 #include "texplorer/scene/params/value_words.h"
 
@@ -61,7 +62,7 @@ void opensParamMenu() {
 
 bool paramMenu(const Session& session, const ParamRow& row, const std::string& path, const Value& initial,
                bool changed) {
-    if (!ImGui::BeginPopup("row"))
+    if (!beginPopup("row"))
         return false;
     caption(glNameOf(row).empty() ? Sentence(row.label)
                                   : Sentence("{0} · {1}", row.label, ProperName{glNameOf(row)}));
@@ -84,7 +85,7 @@ bool paramMenu(const Session& session, const ParamRow& row, const std::string& p
                 act(session, [path, side](Session& s) { varyOnSheet(s, path, side); });
         }
     }
-    ImGui::EndPopup();
+    endPopup();
     return resets;
 }
 

@@ -236,9 +236,9 @@ void drawFolded(const Session& session, const Owner& owner, const std::vector<co
         ImGui::SetNextItemOpen(true);
     ImGui::PushID(owner.path.c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
-    const bool open =
-        ImGui::TreeNodeEx("folded", ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen,
-                          "%s", tr(Sentence("No effect here ({0})", rows.size())).c_str());
+    const bool open = ImGui::TreeNodeEx(
+        "folded", nodeHeight() | ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen,
+        "%s", tr(Sentence("No effect here ({0})", rows.size())).c_str());
     ImGui::PopStyleColor();
     item(owner.path + "#no effect", "Settings that the present choices don't use");
     ImGui::PopID();

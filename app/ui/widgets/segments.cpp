@@ -1,6 +1,7 @@
 #include "app/ui/widgets/segments.h"
 
 #include "app/ui/widgets/buttons.h"
+#include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/wrapped_text.h"
 
 #include <cmath>
@@ -15,7 +16,7 @@ float segmentPadding() {
 }
 
 float minWidth(const Segment& segment) {
-    return std::ceil(textWidth(segment.text)) + 2 * segmentPadding();
+    return std::max(std::ceil(textWidth(segment.text)) + 2 * segmentPadding(), targetWidth());
 }
 
 float sumOf(const std::vector<float>& widths) {

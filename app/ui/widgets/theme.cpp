@@ -60,6 +60,18 @@ constexpr std::array styleRows{
     StyleRow{ImGuiCol_ModalWindowDimBg, &Palette::curtain},
 };
 
+/// Sizes of controls, unscaled.
+struct Metrics {
+    ImVec2 framePadding, itemSpacing, cellPadding;
+    float touchPadding; ///< how far a control reaches beyond its frame: half of the spacing at most
+    float targetHeight;
+    float scrollbar, grab;
+};
+const Metrics smallMetrics{{7, 3}, {8, 4}, {4, 2}, 0, 0, 12, 10};
+const Metrics largeMetrics{{9, 12}, {8, 4}, {4, 2}, 2, 40, 18, 24};
+
+float targetPixels = 0; // see targetHeight
+
 void setColors(ImGuiStyle& style) {
     ImGui::StyleColorsDark(&style);
     for (const StyleRow& row : styleRows)
@@ -78,10 +90,19 @@ float textScale(float contentScale, int textPercent) {
     return std::clamp(contentScale * static_cast<float>(percent) / 100, 0.5F, 8.0F);
 }
 
-void applyTheme(float contentScale, Theme theme, int textPercent, const Catalogue* catalogue,
+Appearance appearanceOf(const Settings& settings) {
+    return {settings.theme, settings.textPercent, settings.largeControls};
+}
+
+float targetHeight() {
+    return targetPixels;
+}
+
+void applyTheme(float contentScale, const Appearance& appearance, const Catalogue* catalogue,
                 const Letters& letters) {
-    const float scale = textScale(contentScale, textPercent);
-    usePalette(theme);
+    const float scale = textScale(contentScale, appearance.textPercent);
+    const Metrics& metrics = appearance.largeControls ? largeMetrics : smallMetrics;
+    usePalette(appearance.theme);
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
@@ -92,16 +113,17 @@ void applyTheme(float contentScale, Theme theme, int textPercent, const Catalogu
     ImGuiStyle style;
     setColors(style);
     style.WindowPadding = {10, 8};
-    style.FramePadding = {7, 3};
-    style.CellPadding = {4, 2};
-    style.ItemSpacing = {8, 4};
+    style.FramePadding = metrics.framePadding;
+    style.CellPadding = metrics.cellPadding;
+    style.ItemSpacing = metrics.itemSpacing;
+    style.TouchExtraPadding = {metrics.touchPadding, metrics.touchPadding};
     style.ItemInnerSpacing = {6, 4};
     style.IndentSpacing = 16;
-    style.ScrollbarSize = 12;
-    style.GrabMinSize = 10;
+    style.ScrollbarSize = metrics.scrollbar;
+    style.GrabMinSize = metrics.grab;
     style.WindowBorderSize = 0;
     style.FrameBorderSize =
-        theme == Theme::Dark ? 0 : 1; // fields are as white, or as black, as what is around
+        appearance.theme == Theme::Dark ? 0 : 1; // fields are as white, or as black, as what is around
     style.PopupBorderSize = 1;
     style.WindowRounding = 0;
     style.FrameRounding = 3;
@@ -112,6 +134,7 @@ void applyTheme(float contentScale, Theme theme, int textPercent, const Catalogu
     style.WindowMinSize = {8, 8};
     style.DisabledAlpha = 0.45F;
     style.ScaleAllSizes(scale);
+    targetPixels = metrics.targetHeight * scale;
     ImGui::GetStyle() = style;
 }
 

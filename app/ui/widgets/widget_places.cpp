@@ -1,5 +1,7 @@
 #include "app/ui/widgets/widget_places.h"
 
+#include <imgui_internal.h> // the last item's ID
+
 #include <cassert>
 
 namespace texplorer::ui {
@@ -32,12 +34,12 @@ void noteItem(std::string_view name) {
         return;
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
-    listener->items[std::string(name)] = {low.x, low.y, high.x, high.y, ImGui::IsItemVisible()};
+    listener->items[std::string(name)] = {low.x, low.y, high.x, high.y, ImGui::IsItemVisible(), ImGui::GetItemID() != 0};
 }
 
 void noteDrawn(std::string_view name, ImVec2 upperLeft, ImVec2 lowerRight) {
     if (listener)
-        listener->items[std::string(name)] = {upperLeft.x, upperLeft.y, lowerRight.x, lowerRight.y, true};
+        listener->items[std::string(name)] = {upperLeft.x, upperLeft.y, lowerRight.x, lowerRight.y, true, false};
 }
 
 } // namespace texplorer::ui

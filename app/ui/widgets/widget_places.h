@@ -15,6 +15,7 @@ public:
     struct Item {
         float left, top, right, bottom; ///< pixels, origin at the top left
         bool visible;                   ///< not scrolled out of its panel
+        bool reacts;                    ///< to the pointer
     };
 
     WidgetPlaces();

@@ -7,6 +7,7 @@
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/param_widgets.h"
 #include "app/ui/widgets/text_field.h"
+#include "app/ui/widgets/theme.h"
 #include "app/ui/window/dialog_parts.h"
 #include "texplorer/scene/params/json.h"
 #include "texplorer/text/printable.h"
@@ -181,7 +182,7 @@ bool entryList(const Session& session, FileBrowser& browser, const Pictures& pic
         ImGui::PushID(i);
         const float line = ImGui::GetTextLineHeight();
         const bool pictured = browser.thumbnails && !entry.isFolder;
-        const float tall = pictured ? line * 2.6F : line;
+        const float tall = std::max(pictured ? line * 2.6F : line, targetHeight());
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         const bool pressed = ImGui::Selectable("##entry", i == browser.marked,
                                                ImGuiSelectableFlags_AllowDoubleClick, {0, tall});

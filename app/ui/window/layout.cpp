@@ -2,20 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace texplorer::ui {
 namespace {
 
 // Unscaled pixels.
-constexpr float barHeight = 28;
-constexpr float toolRowHeight = 36;
-constexpr float hintHeight = 26;
-constexpr float stripHeight = 32;        // of one line
-constexpr float stripLine = 25;          // for each further line
+struct Rows {
+    float bar, toolRow, hint;
+    float strip;     ///< of one line
+    float stripLine; ///< for each further line
+    float seam;
+};
+constexpr Rows smallRows{28, 36, 26, 32, 25, 5};
+constexpr Rows largeRows{42, 44, 26, 46, 41, 14};
 constexpr float maxTwoLineWidth = 575;   // a view up to this width has its strip in two lines
 constexpr float maxThreeLineWidth = 320; // and up to this width in three
 constexpr float paneGap = 2;
-constexpr float seamWidth = 5;
 constexpr float minColumnWidth = 150;
 constexpr float minViewWidth = 200;
 constexpr float comfortableView = 420; // the width of the view while the columns have more than their minimum
@@ -35,11 +38,11 @@ struct Sides {
     float parameters;
     float details;
 };
-Sides sidesFor(float windowWidth, const Workspace& workspace, bool hasRight) {
+Sides sidesFor(float windowWidth, const Workspace& workspace, bool hasRight, float seam) {
     Sides sides{workspace.parameters ? std::clamp(0.24F * windowWidth, 316.0F, 420.0F) : 0,
                 hasRight ? std::clamp(0.29F * windowWidth, 360.0F, 760.0F) : 0};
     const float view = std::min(comfortableView, windowWidth * 0.45F);
-    const float available = windowWidth - 2 * seamWidth - view;
+    const float available = windowWidth - 2 * seam - view;
     const float share = std::min(1.0F, available / std::max(1.0F, sides.parameters + sides.details));
     const auto width = [share](float wanted, float min, float dragged) {
         return wanted == 0 ? 0 : dragged > 0 ? dragged : std::max(min, wanted * share);
@@ -67,17 +70,17 @@ int stripLines(int viewWidth, float scale, PaneGrid grid) {
 }
 
 /// Places the view's parts from top to bottom.
-void layOutView(Layout& layout, PaneGrid grid) {
+void layOutView(Layout& layout, const Rows& rows, PaneGrid grid) {
     const Rect& view = layout.view;
     const float s = layout.scale;
     const auto atMost = [&](float unscaled, int share) {
         return std::min(pixels(unscaled, s), view.height / share);
     };
-    const int toolRow = atMost(toolRowHeight, 4);
-    const int hint = atMost(hintHeight, 4);
+    const int toolRow = atMost(rows.toolRow, 4);
+    const int hint = atMost(rows.hint, 4);
     const int strip =
         grid.compares
-            ? atMost(stripHeight + stripLine * static_cast<float>(stripLines(view.width, s, grid) - 1), 4)
+            ? atMost(rows.strip + rows.stripLine * static_cast<float>(stripLines(view.width, s, grid) - 1), 4)
             : 0;
     layout.canvas = {view.x, view.y + toolRow, view.width, std::max(1, view.height - toolRow - hint - strip)};
     layout.strip = {view.x, layout.canvas.bottom(), view.width, strip};
@@ -91,7 +94,7 @@ void layOutView(Layout& layout, PaneGrid grid) {
 
 /// A maximised panel takes all room except the parameters, the view takes that as well. A hidden view keeps
 /// the size of its picture, so that the explanation of its pixel stays valid.
-void maximise(Layout& layout, Maximised what, const Rect& inner, PaneGrid grid) {
+void maximise(Layout& layout, Maximised what, const Rect& inner, const Rows& rows, PaneGrid grid) {
     Rect room = inner;
     if (what == Maximised::View) {
         layout.parameters = layout.leftSeam = {};
@@ -108,7 +111,7 @@ void maximise(Layout& layout, Maximised what, const Rect& inner, PaneGrid grid) 
                                                             : &Layout::belowDock;
     layout.*panel = room;
     if (what == Maximised::View)
-        layOutView(layout, grid);
+        layOutView(layout, rows, grid);
 }
 
 /// The right column: texture space above, tabs below; either may fill it.
@@ -127,39 +130,36 @@ void layOutRight(Layout& layout, const Rect& column, bool hasTabs, const Workspa
     layout.rightDock = {column.x, column.y + upper + seam, column.width, column.height - seam - upper};
 }
 
-bool isStacked(const Layout& layout) {
-    return static_cast<float>(layout.window.width) < maxStackedWidth * layout.scale &&
-           layout.window.height > layout.window.width;
+Rect Layout::*rectOf(Panel panel) {
+    return panel == Panel::Parameters     ? &Layout::parameters
+           : panel == Panel::TextureSpace ? &Layout::texture
+           : panel == Panel::Right        ? &Layout::rightDock
+                                          : &Layout::belowDock;
 }
 
-/// A narrow window has no room for columns. The view is at the top, below it are the parameters or else the
-/// texture, below these the tabs: an open lesson, or those of the dock below.
-void stack(Layout& layout, const Rect& inner, const Workspace& workspace, PaneGrid grid) {
-    const bool hasLesson = frontOf(workspace, Dock::Right) == Tab::Lesson;
-    const bool tabsBelow = frontOf(workspace, Dock::Below) && !hasLesson;
-    const bool hasTabs = tabsBelow || frontOf(workspace, Dock::Right);
-    const bool hasMiddle = workspace.parameters || workspace.textureSpace;
-    const int seam = hasTabs ? std::min(pixels(seamWidth, layout.scale), inner.height / 32) : 0;
-    const float dragged = workspace.seams.below;
-    const float usual = !hasMiddle ? 0.5F : hasLesson ? 0.38F : 0.28F;
-    const float tabs = !hasTabs ? 0 : dragged > 0 ? std::clamp(dragged, 0.15F, 0.6F) : usual;
-    const int lower = static_cast<int>(std::lround(static_cast<float>(inner.height) * tabs));
-    const int rest = inner.height - lower - seam;
-    const int view = hasMiddle ? std::max(1, static_cast<int>(static_cast<float>(rest) * 0.45F)) : rest;
-    layout.view = {0, inner.y, inner.width, view};
-    if (hasMiddle)
-        (workspace.parameters ? layout.parameters : layout.texture) = {0, inner.y + view, inner.width,
-                                                                       rest - view};
-    if (hasTabs) {
-        layout.belowSeam = {0, inner.y + rest, inner.width, seam};
-        (tabsBelow ? layout.belowDock : layout.rightDock) = {0, inner.y + rest + seam, inner.width, lower};
+/// A narrow window has no room for columns.
+void stack(Layout& layout, const Rect& inner, const Workspace& workspace, const Rows& rows, PaneGrid grid) {
+    layout.view = inner;
+    if (const std::optional<Panel> sheet = sheetOf(workspace)) {
+        const int seam = std::min(pixels(rows.seam, layout.scale), inner.height / 32);
+        const int bar = std::min(pixels(rows.toolRow, layout.scale), inner.height / 8);
+        const float dragged = workspace.seams.below;
+        const float share = dragged > 0 ? std::clamp(dragged, 0.15F, 0.85F) : 0.55F;
+        const auto lower = static_cast<int>(std::lround(static_cast<float>(inner.height) * share));
+        layout.view.height = std::max(1, inner.height - lower - seam);
+        layout.belowSeam = {0, layout.view.bottom(), inner.width, seam};
+        layout.sheets = {0, layout.belowSeam.bottom(), inner.width, bar};
+        layout.*rectOf(*sheet) = {0, layout.sheets.bottom(), inner.width,
+                                  inner.bottom() - layout.sheets.bottom()};
     }
-    layOutView(layout, grid);
+    layOutView(layout, rows, grid);
 }
 
 } // namespace
 
-Layout layoutFor(int width, int height, float scale, const Workspace& workspace, PaneGrid grid) {
+Layout layoutFor(int width, int height, float scale, const Workspace& workspace, PaneGrid grid,
+                 bool largeControls) {
+    const Rows& rows = largeControls ? largeRows : smallRows;
     Layout layout;
     layout.scale = std::clamp(scale, 0.5F, 8.0F);
     const float s = layout.scale;
@@ -167,17 +167,21 @@ Layout layoutFor(int width, int height, float scale, const Workspace& workspace,
     height = std::max(height, 1);
     layout.window = {0, 0, width, height};
 
-    const int bar = std::min(pixels(barHeight, s), height / 4);
+    const int bar = std::min(pixels(rows.bar, s), height / 4);
     layout.menu = {0, 0, width, bar};
     layout.status = {0, height - bar, width, bar};
     const Rect inner{0, bar, width, height - 2 * bar};
 
     const Maximised maximised = maximisedOf(workspace);
-    if (isStacked(layout)) {
-        stack(layout, inner, workspace, grid);
+    layout.isStacked = static_cast<float>(width) < maxStackedWidth * s && height > width;
+    if (layout.isStacked) {
+        stack(layout, inner, workspace, rows, grid);
         if (maximised != Maximised::None) {
             layout.parameters = {};
-            maximise(layout, maximised, inner, grid);
+            layout.sheets =
+                maximised == Maximised::View ? Rect{} : Rect{0, inner.y, width, layout.sheets.height};
+            const int top = inner.y + layout.sheets.height;
+            maximise(layout, maximised, {0, top, width, inner.bottom() - top}, rows, grid);
         }
         return layout;
     }
@@ -185,14 +189,14 @@ Layout layoutFor(int width, int height, float scale, const Workspace& workspace,
     const bool tabsRight = frontOf(workspace, Dock::Right).has_value();
     const bool tabsBelow = frontOf(workspace, Dock::Below).has_value();
     const bool hasRight = workspace.textureSpace || tabsRight;
-    const int seam = std::min(pixels(seamWidth, s), width / 32);
+    const int seam = std::min(pixels(rows.seam, s), width / 32);
     const int leftSeam = workspace.parameters ? seam : 0;
     const int rightSeam = hasRight ? seam : 0;
     const int view = std::min(pixels(minViewWidth, s), width / 3);
     const int min = std::min(pixels(minColumnWidth, s), width / 4);
     const int minLeft = workspace.parameters ? min : 0;
     const int minRight = hasRight ? min : 0;
-    const Sides sides = sidesFor(static_cast<float>(width) / s, workspace, hasRight);
+    const Sides sides = sidesFor(static_cast<float>(width) / s, workspace, hasRight, rows.seam);
     int left = pixels(sides.parameters, s);
     int right = pixels(sides.details, s);
     // Both side columns shrink in proportion until the view has its minimum width.
@@ -204,7 +208,7 @@ Layout layoutFor(int width, int height, float scale, const Workspace& workspace,
     left = std::clamp(left, minLeft, std::max(minLeft, available - minRight));
     right = std::clamp(right, minRight, std::max(minRight, available - left));
 
-    const int levelSeam = std::min(pixels(seamWidth, s), inner.height / 32);
+    const int levelSeam = std::min(pixels(rows.seam, s), inner.height / 32);
     const int below = tabsBelow ? belowFor(inner.height, s, workspace.seams.below) : 0;
     const int belowSeam = tabsBelow ? levelSeam : 0;
     const int upper = inner.height - below - belowSeam;
@@ -215,7 +219,7 @@ Layout layoutFor(int width, int height, float scale, const Workspace& workspace,
         layout.leftSeam = {left, inner.y, leftSeam, inner.height};
     }
     layout.view = {middle, inner.y, width - middle - right - rightSeam, upper};
-    layOutView(layout, grid);
+    layOutView(layout, rows, grid);
     if (hasRight) {
         layout.rightSeam = {width - right - rightSeam, inner.y, rightSeam, upper};
         layOutRight(layout, {width - right, inner.y, right, upper}, tabsRight, workspace, levelSeam);
@@ -225,7 +229,7 @@ Layout layoutFor(int width, int height, float scale, const Workspace& workspace,
         layout.belowDock = {middle, inner.y + upper + belowSeam, width - middle, below};
     }
     if (maximised != Maximised::None)
-        maximise(layout, maximised, inner, grid);
+        maximise(layout, maximised, inner, rows, grid);
     return layout;
 }
 

@@ -5,8 +5,9 @@
 
 namespace texplorer::ui {
 
-/// Pure: the result depends only on the arguments. `scale` is the monitor's content scale.
+/// Pure: the result depends only on the arguments. `scale` is the monitor's content scale, and large controls
+/// are those for fingers.
 [[nodiscard]] Layout layoutFor(int width, int height, float scale, const Workspace& workspace = {},
-                               PaneGrid grid = {});
+                               PaneGrid grid = {}, bool largeControls = false);
 
 } // namespace texplorer::ui

@@ -15,7 +15,9 @@
 #include "app/ui/widgets/panel.h"
 #include "app/ui/widgets/panel_menus.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 #include "app/ui/widgets/program_menu.h"
+#include "app/ui/widgets/theme.h"
 #include "app/ui/window/notes.h"
 #include "app/ui/window/shortcuts.h"
 #include "app/ui/window/text_size.h"
@@ -277,6 +279,10 @@ void comfortItems(const Session& session, const Layout& layout) {
                 act(session, [size](Session& changed) { changed.settings.textPercent = size; });
         }
     });
+    if (menuChoice(N_("Large controls"), settings.largeControls))
+        act(session,
+            [](Session& changed) { changed.settings.largeControls = !changed.settings.largeControls; });
+    helpTip("Buttons, rows and menus large enough for fingers");
     if (menuChoice(N_("Help in the status bar"), settings.helpBelow))
         act(session, [](Session& changed) { changed.settings.helpBelow = !changed.settings.helpBelow; });
     helpTip("Explains what is under the pointer at the lower edge of the window, not in a tooltip.");
@@ -327,7 +333,8 @@ void viewItems(const Session& session, const Layout& layout) {
 /// free.
 void presetsItems(const Session& session) {
     const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing.x, std::floor(spacing.y / 4)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        {spacing.x, targetHeight() > 0 ? spacing.y : std::floor(spacing.y / 4)});
     std::string_view group;
     for (const Preset& preset : presets()) {
         if (preset.group != group) {
@@ -384,6 +391,7 @@ void drawMenuBar(const Session& session, const Layout& layout) {
                ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     if (ImGui::BeginMenuBar()) {
         ImGui::PopStyleVar();
+        beginEntries();
         // Without room next to the clock, lessons are in the menu File.
         const bool isWide =
             static_cast<float>(layout.menu.width) > ImGui::GetFontSize() * minWidthWithLessons;
@@ -395,6 +403,7 @@ void drawMenuBar(const Session& session, const Layout& layout) {
         menuOf("Presets", [&] { presetsItems(session); });
         menuOf("A/B", [&] { drawKeptMenu(session); });
         menuOf("Help", [&] { helpItems(session, layout); });
+        endEntries();
         drawChoices(session);
         drawPlaybackControls(session);
         ImGui::EndMenuBar();

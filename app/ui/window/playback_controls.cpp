@@ -1,6 +1,7 @@
 #include "app/ui/model/timeline_edits.h"
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 #include "app/ui/window/window_parts.h"
 #include "texplorer/scene/animation.h"
 
@@ -17,7 +18,7 @@ constexpr float scrubSeconds = 10; // the range of the slider, unless the time h
 // In widths of a letter m.
 constexpr float maxSliderWidth = 11;
 constexpr float minSliderWidth = 4.5F;
-constexpr float speedWidth = 4.3F;
+constexpr float speedText = 1.97F;
 constexpr float speeds[] = {0.1F, 0.25F, 0.5F, 1, 2, 4};
 
 /// A square button whose sign is drawn, so that it is sharp and centred at every scale.
@@ -75,11 +76,15 @@ void markKeys(const Session& session, float end) {
     }
 }
 
+float speedWidth() {
+    return ImGui::GetFontSize() * speedText + ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
 /// The width of all controls.
 float widthWith(float slider) {
     const float em = ImGui::GetFontSize();
     const float button = ImGui::GetFrameHeight() * 1.2F;
-    return 4 * button + 2 * em + slider + em * speedWidth + 4 * ImGui::GetStyle().ItemInnerSpacing.x;
+    return 4 * button + 2 * em + slider + speedWidth() + 4 * ImGui::GetStyle().ItemInnerSpacing.x;
 }
 
 std::string speedName(float speed) {
@@ -144,14 +149,14 @@ void drawPlaybackControls(const Session& session) {
     helpTip("The scene's time. Drag to change it.");
 
     ImGui::SameLine(0, gap);
-    ImGui::SetNextItemWidth(em * speedWidth);
-    if (ImGui::BeginCombo("##speed", speedName(playback.speed).c_str())) {
+    ImGui::SetNextItemWidth(speedWidth());
+    if (beginCombo("##speed", speedName(playback.speed).c_str())) {
         for (const float speed : speeds) {
             if (ImGui::Selectable(speedName(speed).c_str(), speed == playback.speed))
                 act(session, [speed](Session& changed) { changed.look.playback.speed = speed; });
             noteItem("speed:" + speedName(speed));
         }
-        ImGui::EndCombo();
+        endCombo();
     }
     item("speed", "The speed of the scene's time");
     ImGui::SameLine(0, gap);

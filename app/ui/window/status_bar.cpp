@@ -19,8 +19,14 @@ namespace texplorer::ui {
 
 namespace {
 
+/// Text in a line with large buttons.
+void alignWithButtons() {
+    if (targetHeight() > 0)
+        ImGui::AlignTextToFramePadding();
+}
+
 void cancelButton(const Session& session, std::string_view name, const Action& cancel) {
-    if (ImGui::SmallButton(label("Cancel")))
+    if (smallButton(label("Cancel")))
         act(session, cancel);
     noteItem(name);
     ImGui::SameLine();
@@ -71,11 +77,11 @@ void drawProgress(const Session& session, const FileProgress& progress) {
 void drawNotice(const Session& session) {
     const ThemeColor ink = session.look.notice.isGood ? color::text : color::problem;
     ImGui::PushStyleColor(ImGuiCol_Text, ink);
-    const bool dismissed = ImGui::SmallButton("✕");
+    const bool dismissed = smallButton("✕");
     noteItem("dismiss notice");
     ImGui::SameLine();
     if (!session.look.notice.file.empty()) {
-        if (ImGui::SmallButton(label("Look inside")))
+        if (smallButton(label("Look inside")))
             act(session, [file = session.look.notice.file](Session& s) { lookInto(s, file); });
         item("look inside", "Shows the bytes of the file and their meaning, up to the damage");
         ImGui::SameLine();
@@ -95,7 +101,7 @@ void drawFinding(const Session& session, const Finding& finding, std::size_t cou
         const float width = buttonWidth(fix.label) + forSentence;
         if (&fix != &finding.fixes.front() && ImGui::GetContentRegionAvail().x < width)
             break;
-        if (ImGui::SmallButton(label(fix.label).c_str()))
+        if (smallButton(label(fix.label).c_str()))
             applyFix(session, fix);
         item("fix:" + fix.label.english(), assignmentsOf(fix));
         ImGui::SameLine();
@@ -194,6 +200,7 @@ void drawHint(const Hint& said, float from, float room) {
     if (said.words.empty())
         return;
     ImGui::SameLine(from);
+    alignWithButtons();
     plainText(fitted(ProperName{printable(tr(said.words))}, room),
               said.isProblem ? color::problem : color::text);
     noteItem("hint");
@@ -211,7 +218,8 @@ float hintRoom(const Layout& layout) {
 void drawStatusBar(const Session& session, const Pictures& pictures, const view::Capabilities& capabilities,
                    const Layout& layout, const Hint& said) {
     const float em = ImGui::GetFontSize();
-    const float top = (static_cast<float>(layout.status.height) - em) / 2;
+    const float lineHeight = targetHeight() > 0 ? ImGui::GetFrameHeight() : em; // of buttons
+    const float top = (static_cast<float>(layout.status.height) - lineHeight) / 2;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ImGui::GetStyle().WindowPadding.x, top});
     beginBar(N_("Status"), layout.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
@@ -224,10 +232,12 @@ void drawStatusBar(const Session& session, const Pictures& pictures, const view:
     const float newsRoom = said.words.empty() ? factsFrom - left - em : whole * newsShare - em;
     ImGui::BeginChild("news", {std::max(1.0F, newsRoom), 0}, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    alignWithButtons();
     drawNews(session, pictures);
     ImGui::EndChild();
     drawHint(said, left + newsRoom + em, factsFrom - left - newsRoom - 2 * em);
     ImGui::SameLine(factsFrom);
+    alignWithButtons();
     ImGui::TextDisabled("%s", facts.c_str());
     item("status", hostText(capabilities, session.view.offered));
     ImGui::End();

@@ -4,6 +4,7 @@
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel_menus.h"
 #include "app/ui/widgets/param_widgets.h"
+#include "app/ui/widgets/popups.h"
 #include "app/ui/window/dialog_parts.h"
 #include "app/ui/window/window_parts.h"
 #include "texplorer/s3tc/encode.h"
@@ -48,12 +49,12 @@ bool listLine(const char* words, const char* id, const std::string& shown, const
     lineName(words);
     ImGui::BeginDisabled(whyNot != nullptr);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * listWidth);
-    const bool open = ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLargest);
+    const bool open = beginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLargest);
     if (open) {
         offer();
         if (isKeyPressed(key::escape, false)) // of the list, not of the dialog
             ImGui::CloseCurrentPopup();
-        ImGui::EndCombo();
+        endCombo();
     }
     ImGui::EndDisabled();
     item(fmt::format("texture:{}", id + 2), whyNot ? whyNot : help);

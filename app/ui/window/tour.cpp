@@ -1,3 +1,4 @@
+#include "app/ui/view/view_panel.h"
 #include "app/ui/widgets/buttons.h"
 #include "app/ui/widgets/keys.h"
 #include "app/ui/widgets/panel.h"
@@ -20,26 +21,34 @@ struct TourRow {
     Rect Layout::*about;
     const char* title;
     const char* text;
+    const char* forFingers = nullptr; ///< if it is another one
 };
 
 constexpr std::array tourRows{
     TourRow{&Layout::parameters, N_("Change it here"),
             N_("Every setting of a texture has a row: filters, wrap modes, environment, coordinates. Drag "
-               "numbers, click choices. Point at anything, and the lower edge of the window explains it.")},
+               "numbers, click choices. Point at anything, and the lower edge of the window explains it."),
+            N_("Every setting of a texture has a row: filters, wrap modes, environment, coordinates. Drag "
+               "numbers, tap choices.")},
     TourRow{&Layout::view, N_("See it here"),
             N_("OpenGL draws the scene with these settings. Drag to turn it, use the wheel to move nearer, "
-               "click a corner to select its vertex.")},
+               "click a corner to select its vertex."),
+            N_("OpenGL draws the scene with these settings. Drag to turn it, use two fingers to move nearer, "
+               "tap a corner to select its vertex.")},
     TourRow{
         &Layout::texture, N_("Find the coordinates"),
         N_("The texture and the places of the vertices on it. Drag a vertex: beyond 0 and 1 the wrap mode "
            "decides what is shown.")},
     TourRow{&Layout::view, N_("Ask why"),
             N_("Hold E over a pixel: Explain shows every number between the scene and its colour, and the "
-               "lower edge shows what the filter does there.")},
+               "lower edge shows what the filter does there."),
+            N_("Hold a finger on a pixel: Explain shows every number between the scene and its colour.")},
     TourRow{
         &Layout::menu, N_("Try, compare, undo"),
         N_("Presets change several settings at once. A/B keeps the scene and switches between then and now. "
-           "Ctrl+Z undoes any edit, and F1 lists all keys.")},
+           "Ctrl+Z undoes any edit, and F1 lists all keys."),
+        N_("Presets change several settings at once. A/B keeps the scene and switches between then and now. "
+           "Edit › Undo takes back any edit.")},
 };
 static_assert(tourRows.size() == tourSteps);
 
@@ -68,14 +77,14 @@ bool hasCorner(const Rect& dock, ImVec2 size) {
 }
 
 /// Returns the step to go to; `tourSteps`: the tour ends.
-std::optional<int> drawCard(int step, const TourRow& row) {
+std::optional<int> drawCard(int step, const char* title, const char* words, float width) {
     const float em = ImGui::GetFontSize();
     std::optional<int> wanted;
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + em * tourWidth);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
     dimText(Sentence("{0} of {1}", step + 1, tourSteps));
-    text(row.title);
-    ImGui::Dummy({em * tourWidth, em * 0.2F});
-    text(row.text);
+    text(title);
+    ImGui::Dummy({width, em * 0.2F});
+    text(words);
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, em * 0.3F});
     const auto button = [&](const char* name, int leadsTo, bool enabled) {
@@ -109,17 +118,19 @@ void drawTour(const Session& session, const Layout& layout, bool takesEscape) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em, em * 0.8F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
-    const ImVec2 guess(em * (tourWidth + 2), em * 11); // the size is known only after the first frame
+    const float width = std::min(em * tourWidth, static_cast<float>(layout.window.width) - em * 4);
+    const ImVec2 guess(width + em * 2, em * 11); // the size is known only after the first frame
     if (const Rect& dock = layout.belowDock; hasCorner(dock, guess))
         ImGui::SetNextWindowPos({static_cast<float>(dock.x) + em, static_cast<float>(dock.bottom()) - em},
                                 ImGuiCond_Always, {0, 1});
     else
-        ImGui::SetNextWindowPos(cardPlace(about, layout.window, guess, em));
+        ImGui::SetNextWindowPos(cardPlace(about, layout.window, guess, layout.isStacked ? em * 0.4F : em));
     std::optional<int> wanted;
     if (ImGui::Begin(N_("Tour"), nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings))
-        wanted = drawCard(step, row);
+        wanted = drawCard(step, row.title,
+                          row.forFingers && areHintsForFingers(session) ? row.forFingers : row.text, width);
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);

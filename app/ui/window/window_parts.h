@@ -28,6 +28,9 @@ void drawPlaybackControls(const Session& session); ///< in the menu bar, at its 
 [[nodiscard]] float minPlaybackWidth();            ///< with less room they are only buttons
 [[nodiscard]] float playbackButtonsWidth();        ///< with less room they are left out
 
+/// The choice of the sheet, in a narrow window.
+void drawSheets(const Session& session, const Layout& layout);
+
 /// The contents of the menu "A/B".
 void drawKeptMenu(const Session& session);
 

@@ -143,25 +143,37 @@ void showWanted(Session& session, const Layout& layout) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
         session.look.shownParam.clear();
     Workspace& workspace = session.settings.workspace;
+    if (std::exchange(session.window.stepWants, false) && layout.isStacked) { // its text stays
+        session.window.wantedTab.reset();
+        session.out.wantedSection.reset();
+        session.out.wantedParam.clear();
+    }
     if (const std::optional<Tab> wanted = std::exchange(session.window.wantedTab, std::nullopt))
         showTab(workspace, *wanted);
     if (session.out.wantedSection || !session.out.wantedParam.empty() || session.out.wantsSearch) {
         workspace.parameters = true;
+        workspace.sheet = Panel::Parameters;
         if (layout.parameters.isEmpty()) // or behind what is maximised
             workspace.maximised = Maximised::None;
     }
 }
 
+/// Whether it has room: a narrow window shows one panel.
+bool isSeenTab(const Session& session, const Layout& layout, Tab tab) {
+    const Workspace& workspace = session.settings.workspace;
+    return isShown(workspace, tab) && !layout.of(dockOf(workspace, tab)).isEmpty();
+}
+
 /// Frees the memory of workers for tabs and figures that are not visible.
-void restUnseen(Session& session) {
+void restUnseen(Session& session, const Layout& layout) {
     const auto isSeen = [&](Figure figure) {
-        return session.window.figure == figure && isShown(session.settings.workspace, Tab::Figures);
+        return session.window.figure == figure && isSeenTab(session, layout, Tab::Figures);
     };
     if (!isSeen(Figure::Environments))
         workers(session).environments->rest();
     if (!isSeen(Figure::Sheet))
         workers(session).sheet->rest();
-    if (!isShown(session.settings.workspace, Tab::Commands))
+    if (!isSeenTab(session, layout, Tab::Commands))
         workers(session).programs->rest();
 }
 
@@ -173,21 +185,21 @@ bool hasLargeMesh(const Scene& scene) {
 
 /// Updates what is known of the scene: findings, the explained pixel, level pictures.
 void followDocument(Session& session, PanelStates& states, const Pictures& pictures,
-                    const view::Capabilities& capabilities) {
+                    const view::Capabilities& capabilities, const Layout& layout) {
     if (std::exchange(states.documents, session.documents) != session.documents)
         forgetDocument(states);
-    session.look.explaining.isOpen = isShown(session.settings.workspace, Tab::Explain);
+    session.look.explaining.isOpen = isSeenTab(session, layout, Tab::Explain);
     session.document.images.setLimits(view::driverFacts(capabilities).limits());
     if (!ImGui::IsAnyMouseDown() || !hasLargeMesh(session.document.scene))
         diagnoseSession(session, factsFor(session, capabilities));
     followForced(session);
-    if (isShown(session.settings.workspace, Tab::File))
+    if (isSeenTab(session, layout, Tab::File))
         followFile(session);
     askAboutTextures(session);
     askAboutPicture(session, pictures.frames.front().frame.size);
     askAboutTable(session, pictures.frames.front().frame.size);
     askAboutLevels(session, pictures.frames.front().frame.size);
-    restUnseen(session);
+    restUnseen(session, layout);
 }
 
 void drawPanels(const Session& session, PanelStates& states, const Pictures& pictures, const Layout& layout) {
@@ -198,6 +210,7 @@ void drawPanels(const Session& session, PanelStates& states, const Pictures& pic
     else if (session.look.levels.hovered)
         act(session, [](Session& changed) { changed.look.levels.hovered.reset(); });
     drawNotes(session, layout);
+    drawSheets(session, layout);
     if (!layout.texture.isEmpty())
         drawTextureSpacePanel(session, states.textureSpace, pictures, layout);
     for (const DockRow& row : dockRows)
@@ -249,7 +262,7 @@ Requests drawWorkbench(Session& session, PanelStates& states, const Pictures& pi
     drawMenuBar(session, layout);
     showWanted(session, layout);
     followLesson(session, {{layout.picture.width, layout.picture.height}, capabilities.textureUnits});
-    followDocument(session, states, pictures, capabilities);
+    followDocument(session, states, pictures, capabilities, layout);
     drawPanels(session, states, pictures, layout);
     drawStatusBar(session, pictures, capabilities, layout, endHints()); // later help is a tooltip
     drawSeams(session, states, layout);

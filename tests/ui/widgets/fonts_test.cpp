@@ -56,7 +56,7 @@ protected:
     LettersOfText& operator=(const LettersOfText&) = delete;
 
     void make() {
-        applyTheme(1, Theme::Dark, 100, nullptr, letters);
+        applyTheme(1, {}, nullptr, letters);
         unsigned char* pixels = nullptr;
         int width = 0;
         int height = 0;

@@ -108,7 +108,7 @@ class Themes : public testing::TestWithParam<ThemeRow> {
 protected:
     Themes() {
         ImGui::CreateContext();
-        applyTheme(1, GetParam().theme);
+        applyTheme(1, {GetParam().theme});
     }
     ~Themes() override {
         applyTheme(1);

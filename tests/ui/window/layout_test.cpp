@@ -47,6 +47,7 @@ std::vector<Named> panels(const Layout& layout) {
             {"texture", layout.texture},
             {"right dock", layout.rightDock},
             {"dock below", layout.belowDock},
+            {"sheets", layout.sheets},
             {"status", layout.status},
             {"left seam", layout.leftSeam},
             {"right seam", layout.rightSeam},
@@ -171,22 +172,32 @@ TEST(Layout, WhatIsMaximisedFillsAllButTheParameters) {
     EXPECT_EQ(view.view, (Rect{0, 28, 1280, 744}));
 }
 
-TEST(Layout, OfAPhoneHasViewParametersAndTabsAboveEachOther) {
+TEST(Layout, OfAPhoneHasOneSheetBelowTheView) {
     const Layout layout = layoutFor(360, 740, 1);
-    for (const Rect& each : {layout.view, layout.parameters, layout.belowDock})
+    for (const Rect& each : {layout.view, layout.sheets, layout.parameters})
         EXPECT_EQ(each.width, 360);
-    EXPECT_GT(layout.view.height, 200);
-    EXPECT_EQ(layout.parameters.y, layout.view.bottom());
-    EXPECT_GT(layout.parameters.height, 150);
-    EXPECT_EQ(layout.belowDock.bottom(), layout.status.y);
-    EXPECT_TRUE(layout.texture.isEmpty());
+    EXPECT_GT(layout.view.height, 250);
+    EXPECT_EQ(layout.belowSeam.y, layout.view.bottom());
+    EXPECT_EQ(layout.sheets.y, layout.belowSeam.bottom());
+    EXPECT_EQ(layout.parameters.y, layout.sheets.bottom());
+    EXPECT_GT(layout.parameters.height, 300);
+    EXPECT_EQ(layout.parameters.bottom(), layout.status.y);
+    for (const Rect& each : {layout.texture, layout.rightDock, layout.belowDock})
+        EXPECT_TRUE(each.isEmpty());
     Workspace workspace;
     moveTab(workspace, Tab::Lesson, Dock::Right);
-    EXPECT_GT(layoutFor(360, 740, 1, workspace).rightDock.height, 200)
-        << "the lesson has the place of the tabs";
-    EXPECT_TRUE(layoutFor(360, 740, 1, workspace).belowDock.isEmpty());
+    EXPECT_EQ(layoutFor(360, 740, 1, workspace).rightDock, layout.parameters) << "the newest tab";
+    EXPECT_TRUE(layoutFor(360, 740, 1, workspace).parameters.isEmpty());
+    closeTab(workspace, Tab::Lesson);
+    EXPECT_EQ(sheetOf(workspace), Panel::Parameters) << "no other tab is there";
+    workspace.parameters = workspace.textureSpace = false;
+    EXPECT_EQ(sheetOf(workspace), Panel::Below);
+    for (const TabRow& row : tabRows)
+        closeTab(workspace, row.tab);
+    EXPECT_EQ(sheetOf(workspace), std::nullopt);
     EXPECT_EQ(layoutFor(740, 360, 1).view.bottom(), layoutFor(740, 360, 1).belowSeam.y)
         << "held across: columns";
+    EXPECT_TRUE(layoutFor(740, 360, 1).sheets.isEmpty());
 }
 
 TEST(Layout, ColumnsKeepTheirDraggedWidthsAndGrowWithTheScale) {
