@@ -69,31 +69,36 @@ std::string freeName(const ImageSource& images, const std::string& wanted, const
     return name;
 }
 
+/// Decodes a file, within the budget that the `others` leave.
+Result<void> put(ImageSource& images, const std::string& name, const Bytes& bytes, bool isMesh,
+                 const std::set<std::string>& others) {
+    const std::size_t left = sceneImageBytes - std::min(sceneImageBytes, images.bytesOf(others));
+    if (isMesh) {
+        Result<MeshFile> meshes = meshFileIn(bytes, {});
+        if (meshes && byteCount(*meshes) > left)
+            return fail(beyondBudget(byteCount(*meshes), left));
+        if (!meshes)
+            return fail(meshes.error());
+        images.put(name, std::make_shared<const MeshFile>(*std::move(meshes)));
+    } else {
+        Result<TextureImage> image = decodeWithin(bytes, left);
+        if (!image)
+            return fail(image.error());
+        images.put(name, *std::move(image));
+    }
+    images.putFile(name, bytes);
+    return {};
+}
+
 void addImage(Target& target, const NamedFile& file) {
     const std::set<std::string> used = filesOf(target.scene);
-    const std::size_t bytes = target.images.bytesOf(used);
-    const std::size_t left = sceneImageBytes - std::min(sceneImageBytes, bytes);
-    if (const std::string name = plainName(file.name); used.contains(name) && isObjName(name)) {
-        Result<MeshFile> meshes = meshFileIn(file.bytes, {});
-        if (meshes && byteCount(*meshes) > left)
-            meshes = fail(beyondBudget(byteCount(*meshes), left));
-        if (!meshes) {
-            target.refused.push_back({meshes.error().code, meshes.error().message, inFile(file.name)});
-            return;
-        }
-        target.images.put(name, std::make_shared<const MeshFile>(*std::move(meshes)));
-        target.images.putFile(name, file.bytes);
-        return;
-    }
-    Result<TextureImage> image = decodeWithin(file.bytes, left);
-    if (!image) {
-        target.refused.push_back({image.error().code, image.error().message, inFile(file.name)});
-        return;
-    }
-    const std::string name = freeName(target.images, plainName(file.name), file.bytes);
-    target.images.put(name, *std::move(image));
-    target.images.putFile(name, file.bytes);
-    if (!used.contains(name))
+    std::string name = plainName(file.name);
+    const bool isMesh = used.contains(name) && isObjName(name);
+    if (!isMesh)
+        name = freeName(target.images, name, file.bytes);
+    if (const Result<void> added = put(target.images, name, file.bytes, isMesh, used); !added)
+        target.refused.push_back({added.error().code, added.error().message, inFile(file.name)});
+    else if (!used.contains(name))
         target.added.push_back(name);
 }
 
@@ -157,6 +162,31 @@ void openGivenFiles(ui::Session& session, const FilesGiven& given) {
         showScene(session, *std::move(opened), std::move(target.added));
     else
         addToDocument(session, target, given.answers ? given.answers->param : std::string());
+}
+
+bool replaceGivenFile(ui::Session& session, const Bytes& before, const Bytes& now) {
+    ImageSource& images = session.document.images;
+    bool hasReplaced = false;
+    const std::set<std::string> used =
+        session.document.isLessons ? std::set<std::string>() : filesOf(session.document.scene);
+    for (const std::string& name : used) {
+        if (const std::shared_ptr<const Bytes> there = images.fileInMemory(name); !there || *there != before)
+            continue;
+        std::set<std::string> others = used;
+        others.erase(name);
+        std::set<std::string>& damaged = session.document.damaged;
+        if (const Result<void> replaced = put(images, name, now, isObjName(name), others)) {
+            hasReplaced = true;
+            if (damaged.erase(name) > 0 && !session.look.notice.isGood)
+                session.look.notice = {};
+        } else if (damaged.insert(name).second) {
+            ui::say(session, Error{replaced.error().code,
+                                   Sentence("has changed and can't be read, so the old image stays: {0}",
+                                            replaced.error().message),
+                                   inFile(name)});
+        }
+    }
+    return hasReplaced;
 }
 
 } // namespace texplorer::stage

@@ -35,17 +35,34 @@ std::string takeText(char* text, std::size_t length) {
     return taken;
 }
 
+/// A file; nothing if there is not enough memory, which the user is told.
+std::optional<Bytes> takeBytes(const std::string& name, std::byte* bytes, std::size_t count) {
+    std::optional<Bytes> taken;
+    try {
+        taken.emplace(bytes, bytes + count);
+    } catch (const std::bad_alloc&) {
+        program->say(Sentence("There is not enough memory for {0}.", ProperName{name}));
+    }
+    std::free(bytes);
+    return taken;
+}
+
 } // namespace
 
 TEXPLORER_EXPORT(allocate) void* allocateForPage(std::size_t bytes) {
     return std::malloc(std::max<std::size_t>(1, bytes)); // nullptr: there is not enough memory
 }
 
+/// Frees what `allocate` has returned and no function has taken over.
+TEXPLORER_EXPORT(release) void release(void* memory) {
+    std::free(memory);
+}
+
 TEXPLORER_EXPORT(start)
-void start(int width, int height, int pixelWidth, int pixelHeight, float scale, char* page,
+void start(int width, int height, int pixelWidth, int pixelHeight, float scale, bool hasFingers, char* page,
            std::size_t length) {
     program = std::make_unique<web::Program>(surfaceOf(width, height, pixelWidth, pixelHeight, scale, true),
-                                             takeText(page, length));
+                                             hasFingers, takeText(page, length));
 }
 
 /// What follows # in the page's address.
@@ -91,8 +108,8 @@ TEXPLORER_EXPORT(receive) void receive(char* message, std::size_t length) {
     program->receive(takeText(message, length));
 }
 
-TEXPLORER_EXPORT(scrolls) bool scrolls() {
-    return web::Program::scrolls();
+TEXPLORER_EXPORT(scrolledByNotch) float scrolledByNotch() {
+    return web::Program::scrolledByNotch();
 }
 
 TEXPLORER_EXPORT(focusChanged) void focusChanged(bool focused) {
@@ -124,14 +141,19 @@ TEXPLORER_EXPORT(clipboardChanged) void clipboardChanged(char* text, std::size_t
 /// One of the files of the next `filesGiven`.
 TEXPLORER_EXPORT(addFile)
 void addFile(char* name, std::size_t nameLength, std::byte* bytes, std::size_t byteCount) {
-    stage::NamedFile file{takeText(name, nameLength), {}};
-    try {
-        file.bytes.assign(bytes, bytes + byteCount);
-        given.push_back(std::move(file));
-    } catch (const std::bad_alloc&) {
-        program->say(Sentence("There is not enough memory for {0}.", ProperName{file.name}));
-    }
-    std::free(bytes);
+    std::string text = takeText(name, nameLength);
+    if (std::optional<Bytes> taken = takeBytes(text, bytes, byteCount))
+        given.push_back({std::move(text), *std::move(taken)});
+}
+
+/// A given file has the content `now` in place of `before`. Returns whether the document has it.
+TEXPLORER_EXPORT(fileChanged)
+bool fileChanged(char* name, std::size_t nameLength, std::byte* before, std::size_t countBefore,
+                 std::byte* now, std::size_t countNow) {
+    const std::string text = takeText(name, nameLength);
+    const std::optional<Bytes> old = takeBytes(text, before, countBefore);
+    const std::optional<Bytes> changed = takeBytes(text, now, countNow);
+    return old && changed && program->fileChanged(*old, *changed);
 }
 
 TEXPLORER_EXPORT(filesGiven) void filesGiven(bool answers) {

@@ -1,5 +1,6 @@
 #include "app/web/program.h"
 
+#include "app/stage/given_files.h"
 #include "app/ui/files/address.h"
 #include "app/ui/files/lessons.h"
 #include "app/ui/model/notice.h"
@@ -40,7 +41,7 @@ std::string jsonOf(const stage::Spoken& spoken) {
 
 } // namespace
 
-Program::Program(const stage::Surface& surface, std::string page)
+Program::Program(const stage::Surface& surface, bool hasFingers, std::string page)
     : services_(When::WhenReady, {}, levelWork())
     , unsaved_(unsavedFolderOfUser())
     , captures_(downloads)
@@ -62,7 +63,9 @@ Program::Program(const stage::Surface& surface, std::string page)
                                        lengthOf(file.bytes));
              }}) {
     std::filesystem::current_path(given);
+    const bool isFirstVisit = !std::filesystem::exists(ui::SettingsPlaces::ofUser().settings);
     session_.settings = settings_.read();
+    session_.settings.largeControls |= isFirstVisit && hasFingers;
     session_.window.systemLanguage = ui::languageOfSystem();
     if (!session_.settings.hasSeenTour)
         session_.window.tour = 0;
@@ -103,6 +106,11 @@ void Program::workerEnded(unsigned worker, const Sentence& reason) {
 void Program::filesGiven(std::vector<stage::NamedFile> files, bool answers) {
     happened(
         stage::FilesGiven{std::move(files), answers ? std::exchange(wish_, std::nullopt) : std::nullopt});
+}
+
+bool Program::fileChanged(const Bytes& before, const Bytes& now) {
+    happened(stage::Refresh{});
+    return stage::replaceGivenFile(session_, before, now);
 }
 
 void Program::openAddress(const std::string& address) {
@@ -213,11 +221,13 @@ void Program::receive(std::string_view message) {
     happened(stage::Refresh{});
 }
 
-bool Program::scrolls() {
+float Program::scrolledByNotch() {
     const ImGuiWindow* window = ImGui::GetCurrentContext()->HoveredWindow;
     while (window && (window->ScrollMax.y <= 0 || (window->Flags & ImGuiWindowFlags_NoScrollWithMouse) != 0))
-        window = window->ParentWindow;
-    return window;
+        window = (window->Flags & ImGuiWindowFlags_ChildWindow) != 0 ? window->ParentWindow
+                                                                     : nullptr; // no popup's
+    return window ? std::floor(std::min(5 * window->CalcFontSize(), window->InnerRect.GetHeight() * 0.67F))
+                  : 0;
 }
 
 std::optional<ui::WidgetPlaces::Item> Program::place(std::string_view name) {

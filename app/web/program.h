@@ -22,12 +22,14 @@ namespace texplorer::web {
 /// The window in a page: takes the page's events and draws frames on its canvas. One per page.
 class Program {
 public:
-    /// `page` is the page's address without #.
-    Program(const stage::Surface& surface, std::string page);
+    /// `hasFingers`: at the first visit, controls are large. `page`: its address without #.
+    Program(const stage::Surface& surface, bool hasFingers, std::string page);
 
     void happened(stage::Event event) { events_.push_back(std::move(event)); }
     /// The user has chosen or dropped files. Without `answers`, no request of the program has led to it.
     void filesGiven(std::vector<stage::NamedFile> files, bool answers);
+    /// A given file has changed; see stage::replaceGivenFile.
+    [[nodiscard]] bool fileChanged(const Bytes& before, const Bytes& now);
     /// See ui::openAddress. Errors are shown in the window.
     void openAddress(const std::string& address);
     void say(const Sentence& sentence);
@@ -46,8 +48,9 @@ public:
     [[nodiscard]] double step();
     /// See stage::answerMessage.
     void receive(std::string_view message);
-    /// Whether there is a list below the pointer, which a wheel scrolls.
-    [[nodiscard]] static bool scrolls();
+    /// How far a notch of the wheel scrolls the list below the pointer, in units of the pointer; 0: there is
+    /// none.
+    [[nodiscard]] static float scrolledByNotch();
     /// Where a widget was in the last frame, in units of the pointer (ui::WidgetPlaces has the names);
     /// nothing if it was not visible. The first call starts the reports: it knows no widget.
     [[nodiscard]] std::optional<ui::WidgetPlaces::Item> place(std::string_view name);

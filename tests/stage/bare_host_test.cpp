@@ -1,5 +1,6 @@
 // The window in a host as bare as a browser.
 
+#include "app/stage/given_files.h"
 #include "app/stage/messages.h"
 #include "app/stage/spoken.h"
 #include "app/ui/files/address.h"
@@ -130,6 +131,26 @@ TEST_F(BareHostTest, AnotherImageOfTheSameNameGetsAnotherOne) {
     EXPECT_EQ(texture().file, "image-2.bmp");
     host.run({FilesGiven{{named("../../image-3.bmp", blue)}}});
     EXPECT_EQ(texture().file, "image-3.bmp") << "names have no folder";
+}
+
+TEST_F(BareHostTest, AFileThatChangesIsDrawnAgainWithoutAnUndoStep) {
+    host.run({FilesGiven{{named("image.bmp", red)}}});
+    const Image before = *host.graphics.largest();
+    const Bytes first = named("image.bmp", red).bytes;
+    const Bytes second = named("image.bmp", blue).bytes;
+    EXPECT_FALSE(replaceGivenFile(host.session, second, first)) << "no file has this content";
+    EXPECT_TRUE(replaceGivenFile(host.session, first, second));
+    host.run({Refresh{}});
+    EXPECT_EQ(texture().file, "image.bmp");
+    EXPECT_NE(*host.graphics.largest(), before);
+    EXPECT_FALSE(replaceGivenFile(host.session, second, Bytes(second.begin(), second.begin() + 30)));
+    host.run({Refresh{}});
+    EXPECT_THAT(host.session.look.notice.text, HasSubstr("image.bmp: has changed and can't be read"));
+    EXPECT_TRUE(replaceGivenFile(host.session, second, first)) << "the old image has stayed";
+    host.run({Refresh{}});
+    EXPECT_EQ(*host.graphics.largest(), before);
+    press('Z');
+    EXPECT_NE(texture().file, "image.bmp");
 }
 
 TEST_F(BareHostTest, SeveralImagesAreOneStepAndWhatIsRefusedIsListed) {

@@ -71,7 +71,7 @@ export class Program {
             { wasi_snapshot_preview1: wasi.wasiImport, browser: this.#browser(page.module) });
         this.#exports = instance.exports;
         wasi.initialize(instance);
-        this.call('start', ...size, ...size, 1, ...this.copyIn('https://example.org/'));
+        this.call('start', ...size, ...size, 1, false, ...this.copyIn('https://example.org/'));
     }
 
     // A function for each that the program names, so that a new one needs no change here.

@@ -56,7 +56,7 @@ export function listen(canvas, field, program, changed, drawNow) {
     const move = (event) => moveTo({ x: event.clientX, y: event.clientY });
 
     const fingers = new Map();
-    let touch = null; // what the fingers do: { kind: 'wait' | 'drag' | 'held' | 'two' | 'scroll' | 'pan', timer, x, y, gap }
+    let touch = null; // what the fingers do: { kind: 'wait' | 'drag' | 'held' | 'two' | 'scroll' | 'pan', timer, x, y, gap }; a list is scrolled by one or two
 
     const endPress = (event) => program.buttonChanged(0, false, modifiersOf(event));
     let pressed = 0; // the mouse's buttons as a mask: only the first has a pointerdown, the others a pointermove
@@ -75,17 +75,27 @@ export function listen(canvas, field, program, changed, drawNow) {
         return { x: sum('x'), y: sum('y'), gap };
     };
 
+    let notch = 0; // CSS pixels of a notch of the wheel, in the list below the fingers; 0: nothing scrolls there
+    function scrollsThere() {
+        drawNow(1); // the program knows then what is below
+        notch = program.scrolledByNotch();
+        return notch > 0;
+    }
+
     function fingerDown(event) {
         fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
         if (fingers.size === 1) { // the position first: what lies below must know of the finger before the press
             move(event);
             touch = { kind: 'wait', x: event.clientX, y: event.clientY };
-            touch.timer = setTimeout(() => { // a long press: the right button, and E, which explains a pixel
+            const hold = () => { // the right button, and E, which explains a pixel
                 touch.kind = 'held';
                 program.buttonChanged(RIGHT, true, 0);
                 program.buttonChanged(RIGHT, false, 0);
                 program.keyChanged(PRESS, EXPLAIN, 0);
                 changed();
+            };
+            touch.timer = setTimeout(() => { // of a slow page, a move that came earlier is handled first
+                touch.timer = setTimeout(hold);
             }, LONG_PRESS);
         } else if (fingers.size === 2 && touch) {
             clearTimeout(touch.timer);
@@ -102,27 +112,29 @@ export function listen(canvas, field, program, changed, drawNow) {
         if (!fingers.has(event.pointerId) || !touch)
             return;
         fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-        if (touch.kind === 'wait' && Math.hypot(event.clientX - touch.x, event.clientY - touch.y) > SLOP) {
+        const way = { x: event.clientX - touch.x, y: event.clientY - touch.y };
+        if (touch.kind === 'wait' && Math.hypot(way.x, way.y) > SLOP) {
             clearTimeout(touch.timer);
-            touch.kind = 'drag';
-            program.buttonChanged(0, true, 0);
+            const scrolls = Math.abs(way.y) > Math.abs(way.x) && scrollsThere();
+            touch = { kind: scrolls ? 'scroll' : 'drag', ...centre() };
+            if (!scrolls)
+                program.buttonChanged(0, true, 0);
         }
         if (touch.kind === 'drag' || touch.kind === 'held')
             move(event);
         if (touch.kind === 'two') { // a list is scrolled, a view is panned and zoomed
-            drawNow(1); // the program knows then what is below
-            touch.kind = program.scrolls() ? 'scroll' : 'pan';
+            touch.kind = scrollsThere() ? 'scroll' : 'pan';
             if (touch.kind === 'pan')
                 program.buttonChanged(RIGHT, true, 0);
         }
-        if (fingers.size > 1 && (touch.kind === 'scroll' || touch.kind === 'pan')) {
+        if (touch.kind === 'scroll' || (fingers.size > 1 && touch.kind === 'pan')) {
             const now = centre();
             if (touch.kind === 'pan')
                 moveTo(now);
             if (touch.kind === 'pan' && touch.gap > 0 && now.gap > 0)
                 program.wheelTurned(0, Math.log2(now.gap / touch.gap) * NOTCHES, 0);
             if (touch.kind === 'scroll')
-                program.wheelTurned((now.x - touch.x) / NOTCH * 2, (now.y - touch.y) / NOTCH * 2, 0);
+                program.wheelTurned((now.x - touch.x) / notch, (now.y - touch.y) / notch, 0);
             touch = { kind: touch.kind, ...now };
         }
     }

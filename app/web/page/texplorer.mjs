@@ -185,9 +185,20 @@ async function open() {
         call('filesGiven', answers);
         changed();
     };
-    const files = new Files(give, (name) => {
+    const refuse = (name) => {
         call('fileRefused', ...copyIn(name));
         changed();
+    };
+    const files = new Files(give, refuse, (name, before, now) => {
+        const room = call('allocate', before.length + now.length); // a file that is too large does not stop the program
+        if (!room) {
+            refuse(name);
+            return false;
+        }
+        call('release', room);
+        const used = call('fileChanged', ...copyIn(name), ...copyIn(before), ...copyIn(now));
+        changed();
+        return used;
     });
 
     let timer = 0;
@@ -223,7 +234,8 @@ async function open() {
     await load(storage, files);
     panels = new Panels(canvas, bytes);
     scene = new SceneDevice(panels.gl, panels.textures, () => exports.memory.buffer);
-    call('start', ...surface().slice(0, 5), ...copyIn(location.href.replace(/#.*/, '')));
+    const hasFingers = window.matchMedia('(pointer: coarse)').matches;
+    call('start', ...surface().slice(0, 5), hasFingers, ...copyIn(location.href.replace(/#.*/, '')));
     call('openAddress', ...copyIn(location.hash.slice(1)));
     if (!exports)
         return;
@@ -298,7 +310,8 @@ async function open() {
 }
 
 function events(program) {
-    const names = ['pointerMoved', 'pointerLeft', 'buttonChanged', 'wheelTurned', 'keyChanged', 'textEntered', 'focusChanged', 'scrolls'];
+    const names = ['pointerMoved', 'pointerLeft', 'buttonChanged', 'wheelTurned', 'keyChanged', 'textEntered', 'focusChanged',
+        'scrolledByNotch'];
     return Object.fromEntries(names.map((name) => [name, program[name]]));
 }
 
