@@ -2,6 +2,7 @@
 """page_test.py PAGE [CASE…]: the page in Chromium, from a server that knows nothing but files."""
 
 import functools
+import hashlib
 import http.server
 import io
 import json
@@ -14,7 +15,7 @@ import unittest
 
 from PIL import Image, ImageChops
 
-from browser import Browser
+from browser import Browser, Keys
 
 PAGE = pathlib.Path()
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
@@ -195,6 +196,36 @@ class Input(PageTest):
         self.until(lambda: self.browser.script("return texplorer.place('textures[0].wrapS')") != before)
         self.assertEqual(self.parameter("textures[0].wrapS"), "GL_REPEAT")
 
+    def test_one_finger_scrolls_a_list(self):
+        self.browser.size(1000, 480)
+        self.open("#layout=teacher")
+        before = self.place("textures[0].wrapS")
+        x, y = self.middle("textures[0].wrapS")
+        self.fingers(*[[(x, y - move)] for move in (0, 12, 32, 62, 92)])
+        self.until(lambda: self.browser.script("return texplorer.place('textures[0].wrapS')") != before)
+        self.assertEqual(self.parameter("textures[0].wrapS"), "GL_REPEAT")
+        after = self.until(lambda: self.place("textures[0].wrapS"))
+        self.assertAlmostEqual(before[1] - after[1], 80, delta=4)  # as far as the finger after it had begun to scroll
+
+    def test_a_phone_has_large_controls_and_one_panel(self):
+        self.browser.tool("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=5)
+        self.addCleanup(self.browser.tool, "Emulation.setTouchEmulationEnabled", enabled=False)
+        self.browser.size(360, 740, phone=True)
+        self.open()
+        for name in ("menu:File", "menu:View", "lower panel", "parameters' tabs"):
+            left, top, right, bottom = self.place(name)
+            self.assertGreaterEqual(bottom - top, 36, name)  # and 2 pixels above and below it
+        for tab in ("Explain", "Vertices"):  # of both docks
+            self.tap("lower panel")
+            self.tap(f"lower:{tab}")
+        self.place("vertex:0")
+        self.tap("menu:File")
+        left, top, right, bottom = self.place("menu:Copy link to this scene")
+        self.assertGreaterEqual(bottom - top, 36)
+        self.browser.script("navigator.clipboard.writeText = (text) => { window.copied = text; return Promise.resolve(); }")
+        self.tap("menu:Copy link to this scene")
+        self.until(lambda: self.browser.script("return window.copied"))
+
     def test_the_wheel_stays_in_the_page(self):
         self.open()
         x, y = self.middle("view")
@@ -231,6 +262,29 @@ class Files(PageTest):
         self.until(lambda: self.parameter("textures[0].file") == "red.bmp")
         self.drop(**{"broken.bmp": b"BM no image"})
         self.until(lambda: "broken.bmp" in self.spoken("#status"))
+
+    def test_a_file_that_changes_is_read_again(self):
+        """From the browser's own folder: its files have the same handles as those of a disk."""
+        self.open()
+        write = """const [name, bytes, answered] = arguments; (async () => {
+            const handle = await (await navigator.storage.getDirectory()).getFileHandle(name, { create: true });
+            const stream = await handle.createWritable(); await stream.write(new Uint8Array(bytes)); await stream.close();
+            window.showOpenFilePicker = async () => [handle]; })().then(() => answered(null), (error) => answered(String(error)))"""
+        blue = self.RED[:-4] + bytes([255, 0, 0, 0])
+        self.assertIsNone(self.browser.driver.execute_async_script(write, "paint.bmp", list(self.RED)))
+        self.click("menu:File")
+        self.click("menu:Open image…")
+        self.until(lambda: self.parameter("textures[0].file") == "paint.bmp")
+        def shows(strong, weak):
+            left, top, right, bottom = self.place("view")
+            colour = self.picture().getpixel((int(left + 0.3 * (right - left)), int((top + bottom) / 2)))  # of the cube
+            return colour[strong] > 2 * colour[weak]
+        self.until(lambda: shows(0, 2))
+        self.assertIsNone(self.browser.driver.execute_async_script(write, "paint.bmp", list(blue)))
+        self.until(lambda: shows(2, 0))
+        self.assertIsNone(self.browser.driver.execute_async_script(write, "paint.bmp", list(blue[:30])))
+        self.until(lambda: "has changed and can't be read" in self.spoken("#status"))
+        self.assertEqual(self.parameter("textures[0].file"), "paint.bmp")
 
     def test_a_picture_is_downloaded(self):
         self.open()
@@ -278,7 +332,12 @@ class Renderers(PageTest):
         self.open()
         self.browser.script("""const Plain = Worker; window.made = 0;
             window.Worker = class extends Plain { constructor(...values) { super(...values); window.made += 1; } };""")
+        same = json.loads((PROJECT / "tests/support/reference_picture.json").read_text(encoding="utf-8"))
+        scene = json.loads((SCENES / f"{same['example']}.json").read_text(encoding="utf-8"))
+        self.assertNotIn("error", self.send(do="load", scene=scene))
         before = self.view("Reference")
+        self.assertEqual(list(before.size), same["size"])  # of the view at 1280 x 800
+        self.assertEqual(hashlib.sha256(before.tobytes()).hexdigest(), same["sha256"])  # as texshot's
         self.send(do="set", path="view.azimuth", value="50")
         self.assertNotEqual(list(self.view("Reference").getdata()), list(before.getdata()))
         self.assertGreater(self.browser.script("return window.made"), 0)
@@ -315,6 +374,42 @@ class Lessons(PageTest):
         self.until(lambda: self.spoken("#lesson .verdict"))
         done = next(each for each in self.send(do="read")["answers"] if each["lesson"] == "first-texture")
         self.assertTrue(done["steps"][1]["done"])
+
+    def step_of(self, lesson, step):
+        return next(each for each in self.send(do="read")["answers"] if each["lesson"] == lesson)["steps"][step - 1]
+
+    def test_a_question_is_answered_by_mouse_touch_and_keyboard(self):
+        for press in (self.click, self.tap):
+            with self.subTest(press.__name__):
+                self.open("#lesson=wrap&step=2")
+                press("answer:2")
+                self.place("not this one")
+                press("answer:1")
+                self.place("reason")
+                self.assertTrue(self.step_of("wrap", 2)["done"])
+                self.send(do="open", address="lesson=wrap&step=1")
+        self.open("#lesson=wrap&step=5")
+        self.until(lambda: len(self.browser.all("#lesson ol button")) == 3)
+        self.browser.script("document.querySelector('canvas').focus()")
+        chosen = "return document.activeElement === document.querySelectorAll('#lesson ol button')[2]"
+        for _ in range(20):
+            if self.browser.script(chosen):
+                break
+            self.browser.shift(Keys.TAB)
+        self.assertTrue(self.browser.script(chosen))
+        self.browser.keys(Keys.ENTER)
+        self.until(lambda: self.step_of("wrap", 5)["done"])
+
+    def test_a_picture_is_reached_by_mouse_touch_and_keyboard(self):
+        wanted = ("textures[0].wrapS=GL_CLAMP_TO_EDGE", "textures[0].wrapT=GL_CLAMP_TO_BORDER")
+        for press in (self.click, self.tap):
+            with self.subTest(press.__name__):
+                self.open("#lesson=wrap&step=3")
+                for choice in wanted:
+                    press(choice)
+                self.place("reached")
+                self.assertTrue(self.step_of("wrap", 3)["done"])
+                self.send(do="open", address="lesson=wrap&step=1")
 
     def test_a_page_around_it_sets_parameters_and_hears_of_lessons(self):
         self.open()  # over with the tour

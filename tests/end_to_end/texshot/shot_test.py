@@ -1,5 +1,6 @@
 """texshot shot: the picture of a scene."""
 
+import hashlib
 import io
 import json
 import os
@@ -145,6 +146,13 @@ class Shot(Texshot):
         far = sum(count for level, count in enumerate(difference.histogram()) if level > 16)
         self.assertLess(far, 320 * 200 / 100)
         self.assertEqual(difference.getpixel((95, 100)), 0)
+
+    def test_the_reference_draws_the_same_everywhere(self):
+        """Red, green and blue of all pixels; tests/web/page_test.py compares a browser's with the same numbers."""
+        same = json.loads((Path(__file__).parents[2] / "support/reference_picture.json").read_text())
+        size = "x".join(str(each) for each in same["size"])
+        picture = self.shot("--example", same["example"], "--size", size, "--renderer", "reference")
+        self.assertEqual(hashlib.sha256(picture.convert("RGB").tobytes()).hexdigest(), same["sha256"])
 
     def test_the_reference_needs_no_opengl(self):
         alone = self.path / "bin" / "texshot"  # without the module that contains OpenGL next to it
