@@ -154,6 +154,8 @@ export function listen(canvas, field, program, changed, drawNow) {
             endPress(event);
         if (touch.kind === 'held')
             program.keyChanged(RELEASE, EXPLAIN, 0);
+        if (touch.kind === 'scroll' || touch.kind === 'pan')
+            drawNow(1); // with the fingers still there, else their last way is lost
         if (touch.kind === 'pan')
             program.buttonChanged(RIGHT, false, 0);
         touch = null;
