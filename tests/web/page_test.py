@@ -15,7 +15,7 @@ import unittest
 
 from PIL import Image, ImageChops
 
-from browser import Browser, Keys
+from browser import Browser
 
 PAGE = pathlib.Path()
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
@@ -380,29 +380,7 @@ class Lessons(PageTest):
     def step_of(self, lesson, step):
         return next(each for each in self.send(do="read")["answers"] if each["lesson"] == lesson)["steps"][step - 1]
 
-    def test_a_question_is_answered_by_mouse_touch_and_keyboard(self):
-        for press in (self.click, self.tap):
-            with self.subTest(press.__name__):
-                self.open("#lesson=wrap&step=2")
-                press("answer:2")
-                self.place("not this one")
-                press("answer:1")
-                self.place("reason")
-                self.assertTrue(self.step_of("wrap", 2)["done"])
-                self.send(do="open", address="lesson=wrap&step=1")
-        self.open("#lesson=wrap&step=5")
-        self.until(lambda: len(self.browser.all("#lesson ol button")) == 3)
-        self.browser.script("document.querySelector('canvas').focus()")
-        chosen = "return document.activeElement === document.querySelectorAll('#lesson ol button')[2]"
-        for _ in range(20):
-            if self.browser.script(chosen):
-                break
-            self.browser.shift(Keys.TAB)
-        self.assertTrue(self.browser.script(chosen))
-        self.browser.keys(Keys.ENTER)
-        self.until(lambda: self.step_of("wrap", 5)["done"])
-
-    def test_a_picture_is_reached_by_mouse_touch_and_keyboard(self):
+    def test_a_picture_is_reached_by_mouse_and_touch(self):
         wanted = ("textures[0].wrapS=GL_CLAMP_TO_EDGE", "textures[0].wrapT=GL_CLAMP_TO_BORDER")
         for press in (self.click, self.tap):
             with self.subTest(press.__name__):
