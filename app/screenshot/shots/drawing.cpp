@@ -160,8 +160,8 @@ void drawCase(Threads& all, std::size_t index, Scenes& scenes, ShotDrawer& drawe
             warnings = warningsAbout(request, *drawn);
         return drawn;
     });
-    if (!shot && shot.error().code == ErrorCode::Cancelled)
-        return;
+    if (all.drawing.work.stopToken().stop_requested())
+        return; // textures may be missing in it
     if (!shot) {
         failed = ofPicture(shot.error(), name);
         all.incomplete = true;
