@@ -67,7 +67,8 @@ std::optional<TexelList> listOf(const SampledTexture& texture, bool floats) {
     list.rows = static_cast<int>(rows);
     list.floats = floats;
     list.isUnclamped = isFloat(texture.internalFormat);
-    list.texels.resize(rows * glsl::texelsPerRow * (floats ? sizeof(glm::vec4) : sizeof(std::int32_t)));
+    const std::size_t sizeOfTexel = floats ? sizeof(glm::vec4) : sizeof(std::int32_t);
+    list.texels.resize(rows * glsl::texelsPerRow * sizeOfTexel);
     std::size_t first = 0;
     bool fits = true;
     eachLevel(texture, [&](int /*number*/, const std::vector<const Level*>& faces) {
@@ -85,6 +86,7 @@ std::optional<TexelList> listOf(const SampledTexture& texture, bool floats) {
             first += face->texels.size();
         }
     });
+    std::ranges::fill(std::span(list.texels).subspan(first * sizeOfTexel), std::byte{0}); // of the last row
     return fits ? std::optional(std::move(list)) : std::nullopt;
 }
 

@@ -15,7 +15,7 @@ struct TexelList {
     int rows = 0;             ///< of glsl::texelsPerRow texels
     bool floats = false;      ///< four floats for each texel, instead of four bytes
     bool isUnclamped = false; ///< texels may lie outside 0 … 1
-    std::vector<std::byte> texels;
+    Bytes texels;
     /// By GL's level number: width, height and depth, with the border, and the first texel. For a cube map
     /// the depth is 6. Empty for a level that does not exist, or whose faces differ.
     std::vector<std::optional<glm::ivec4>> levels;

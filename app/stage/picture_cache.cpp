@@ -1,6 +1,6 @@
 #include "app/stage/picture_cache.h"
 
-#include "app/view/rgba_pixels.h"
+#include "texplorer/image/convert.h"
 
 #include <new>
 
@@ -18,9 +18,8 @@ view::PictureHandle PictureCache::show(const std::shared_ptr<const Image>& image
         const auto [slot, isNew] = slots_.try_emplace(image);
         slot->second.frame = frame_;
         if (isNew)
-            slot->second.picture = image->format == PixelFormat::Rgba8
-                                       ? upload_.make(*image, use)
-                                       : upload_.make(view::asRgba8(*image, BaseFormat::Rgba), use);
+            slot->second.picture = image->format == PixelFormat::Rgba8 ? upload_.make(*image, use)
+                                                                       : upload_.make(asRgba(*image), use);
         return slot->second.picture;
     } catch (const std::bad_alloc&) {
         return view::PictureHandle::None;

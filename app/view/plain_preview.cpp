@@ -1,6 +1,6 @@
 #include "app/view/plain_preview.h"
 
-#include "app/view/rgba_pixels.h"
+#include "texplorer/reference/sampling/level_picture.h"
 #include "texplorer/s3tc/surface_pixels.h"
 
 #include <new>
@@ -22,7 +22,7 @@ std::shared_ptr<const Image> pictureOf(const LevelsRequest& request, const Prepa
         return nullptr;
     const SharedSurface& base = levels->levels.front().surface;
     const BaseFormat format = baseFormat(request.settings.internalFormat);
-    return std::make_shared<const Image>(asRgba8(toImage(*base), format));
+    return std::make_shared<const Image>(reference::sourceColors(toImage(*base), format));
 }
 
 } // namespace

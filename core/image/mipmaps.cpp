@@ -155,13 +155,29 @@ void averageRowsOfRgba(const std::byte* lower, const std::byte* upper, std::size
     }
 }
 
-Image averageEvenRgba(const Image& from) {
+template<std::size_t Components>
+void averageRowsOf(const std::byte* lower, const std::byte* upper, std::size_t count, std::byte* out) {
+    for (std::size_t x = 0; x < count; ++x) {
+        for (std::size_t c = 0; c < Components; ++c) {
+            const std::size_t left = 2 * x * Components + c;
+            const auto pair = [&](const std::byte* row) {
+                return std::to_integer<unsigned>(row[left]) +
+                       std::to_integer<unsigned>(row[left + Components]);
+            };
+            out[x * Components + c] = static_cast<std::byte>((pair(lower) + pair(upper) + 2) >> 2);
+        }
+    }
+}
+
+/// Of a format with a byte for each component.
+Image averageEven(const Image& from) {
+    constexpr std::array averages{averageRowsOf<1>, averageRowsOf<2>, averageRowsOf<3>, averageRowsOfRgba};
+    const auto average = averages.at(static_cast<std::size_t>(bytesPerPixel(from.format)) - 1);
     Image to = Image::uninitialised(from.format, from.width / 2, from.height / 2);
     const std::size_t stride = from.rowBytes();
     for (int y = 0; y < to.height; ++y) {
         const std::byte* row = from.pixels.data() + from.offset(0, 2 * y, 0);
-        averageRowsOfRgba(row, row + stride, static_cast<std::size_t>(to.width),
-                          to.pixels.data() + to.offset(0, y, 0));
+        average(row, row + stride, static_cast<std::size_t>(to.width), to.pixels.data() + to.offset(0, y, 0));
     }
     return to;
 }
@@ -174,8 +190,8 @@ Image nextLevel(const Image& from, const MipOptions& options) {
     if (options.linearLight)
         return averageByCoverage<LightValues>(from);
     const bool even = from.width % 2 == 0 && from.height % 2 == 0 && from.depth == 1;
-    return even && from.format == PixelFormat::Rgba8 ? averageEvenRgba(from)
-                                                     : averageByCoverage<StoredValues>(from);
+    return even && from.format != PixelFormat::Depth32 ? averageEven(from)
+                                                       : averageByCoverage<StoredValues>(from);
 }
 
 Image flatLevel(const Image& above, int level) {

@@ -18,29 +18,33 @@ BaseFormat baseFormatOf(const Surface& surface, const TextureLevels& levels) {
 
 /// Rows in the order they have.
 Image sourcePicture(const Surface& surface, const TextureLevels& levels, Target target) {
-    const BaseFormat format = baseFormatOf(surface, levels);
-    const Image pixels = toImage(surface);
     const int border = levels.border;
-    const int borderT = target == Target::Texture1D ? 0 : border;
-    const int slice = pixels.depth / 2;
+    return sourceColors(toImage(surface), baseFormatOf(surface, levels), border,
+                        target == Target::Texture1D ? 0 : border);
+}
+
+} // namespace
+
+Image sourceColors(const Image& image, BaseFormat format, int borderS, int borderT) {
+    // Which number each component is: of 0, 1 and those of the pixel, which sourceColor takes for colours.
+    const auto numbers = glm::ivec4(sourceColor(format, {2, 3, 4, 5}));
+    const int slice = image.depth / 2;
+    const auto step = static_cast<std::size_t>(bytesPerPixel(image.format));
     Image picture =
-        Image::uninitialised(PixelFormat::Rgba8, pixels.width - 2 * border, pixels.height - 2 * borderT);
+        Image::uninitialised(PixelFormat::Rgba8, image.width - 2 * borderS, image.height - 2 * borderT);
+    std::byte* to = picture.pixels.data();
     for (int y = 0; y < picture.height; ++y) {
+        const std::byte* from = image.pixels.data() + image.offset(borderS, y + borderT, slice);
         for (int x = 0; x < picture.width; ++x) {
-            const auto [r, g, b, a] = rgbaOf(pixels.format, pixels.at(x + border, y + borderT, slice).data());
-            const glm::vec4 color = sourceColor(format, {r, g, b, a});
-            const auto to = picture.at(x, y);
-            for (int i = 0; i < 3; ++i)
-                to[static_cast<std::size_t>(i)] = static_cast<std::byte>(static_cast<int>(color[i]));
-            // What a format lacks is 1, which among bytes is 255.
-            const bool opaque = format == BaseFormat::Rgb || format == BaseFormat::Luminance;
-            to[3] = opaque ? std::byte{255} : static_cast<std::byte>(static_cast<int>(color.a));
+            const auto [r, g, b, a] = rgbaOf(image.format, from);
+            const std::array<std::uint8_t, 6> values{0, 255, r, g, b, a};
+            for (int i = 0; i < 4; ++i)
+                *to++ = std::byte{values[static_cast<std::size_t>(numbers[i])]};
+            from += step;
         }
     }
     return picture;
 }
-
-} // namespace
 
 Result<Image> levelPicture(const TextureLevels& levels, int number, Target target) {
     const auto find = [&](int face) {

@@ -14,6 +14,10 @@ namespace texplorer::reference {
 /// cross. Error: NotFound if the level does not exist.
 [[nodiscard]] Result<Image> levelPicture(const TextureLevels& levels, int number, Target target);
 
+/// The texture source colours of an image in that format (OpenGL 2.1, tables 3.15 and 3.20) without its
+/// border: Rgba8, rows in the same order. Floats are limited to 0 … 1. Of a volume the middle slice.
+[[nodiscard]] Image sourceColors(const Image& image, BaseFormat format, int borderS = 0, int borderT = 0);
+
 /// Statistics of a component over all texels.
 struct ComponentStatistics {
     std::array<std::uint32_t, 256> counts{}; ///< the number of texels with each value
