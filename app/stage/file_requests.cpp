@@ -8,7 +8,6 @@
 #include "app/ui/files/texture_file.h"
 #include "app/ui/model/notice.h"
 #include "app/ui/model/session.h"
-#include "texplorer/base/parallel.h"
 #include "texplorer/base/sentence_format.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/scene/params/json.h"
@@ -46,17 +45,11 @@ void saveScene(ui::Session& session, const FileRequests& host) {
     ui::finishPending(session);
 }
 
-/// Makes a file and waits for it.
-void saveOrder(ui::Session& session, const FileRequests& host, const Result<ui::FileOrder>& order) {
+/// The host's FileWriting gives it to the user.
+void saveOrder(ui::Session& session, Result<ui::FileOrder> order) {
     if (!order)
         return ui::say(session, order.error());
-    Result<ui::MadeFile> made =
-        order->make({.threads = processorThreads(), .report = [](float /*share*/) {}});
-    if (!made)
-        return ui::say(session, Sentence(order->failure, describe(made.error())));
-    host.save({{order->file.string(), std::move(made->bytes)}});
-    if (!made->remark.empty())
-        ui::say(session, made->remark);
+    session.services.writing->write(*std::move(order));
 }
 
 Result<ui::FileOrder> sheetFileOf(const ui::Session& session) {
@@ -87,16 +80,16 @@ bool answered(ui::Session& session, const FileRequests& host, Dialog dialog) {
         host.save({{"answers.json", bytesOf(ui::answersText(session.settings))}});
         return true;
     case Dialog::SaveSheet:
-        saveOrder(session, host, sheetFileOf(session));
+        saveOrder(session, sheetFileOf(session));
         return true;
     case Dialog::SaveProgram:
-        saveOrder(session, host, ui::programOrder(session, ui::programFileName(session.document)));
+        saveOrder(session, ui::programOrder(session, ui::programFileName(session.document)));
         return true;
     case Dialog::SaveTexture:
-        saveOrder(session, host, textureOrder(session, textureFileName(session)));
+        saveOrder(session, textureOrder(session, textureFileName(session)));
         return true;
     case Dialog::SaveRecording:
-        saveOrder(session, host, animationFileOf(session));
+        saveOrder(session, animationFileOf(session));
         return true;
     default:
         return false;

@@ -28,7 +28,8 @@ struct FileWish {
 struct FileRequests {
     /// Asks the user for files: a FilesGiven is the answer, now or later. There is none if the user cancels.
     std::function<void(const FileWish& wish)> open;
-    /// Gives files to the user: the requested one first, then those that it needs.
+    /// Gives files to the user: the requested one first, then those that it needs. Files that take long to
+    /// make are given by the host's ui::FileWriting.
     std::function<void(std::vector<NamedFile> files)> save;
 };
 

@@ -59,7 +59,7 @@ void setConstant(unsigned location, float x, float y, float z, float w);
 TEXPLORER_BROWSER(drawParts) void drawParts(int corners, unsigned indices, int first, int count);
 TEXPLORER_BROWSER(endScene) void endScene();
 
-// Web Workers that draw pictures (page/workers.mjs).
+// Web Workers that draw pictures or make files (page/workers.mjs).
 /// 0: the browser gives none.
 TEXPLORER_BROWSER(makeWorker) unsigned makeWorker();
 TEXPLORER_BROWSER(dropWorker) void dropWorker(unsigned worker);
@@ -70,10 +70,19 @@ void sendFile(unsigned worker, const char* name, int nameLength, const void* byt
 TEXPLORER_BROWSER(drawInWorker)
 void drawInWorker(unsigned worker, const char* scene, int length, double time, int width, int height,
                   unsigned anisotropy, unsigned rho);
-/// Called in a worker: Rgba8, bottom row first, and problemsJson.
+/// Called in a worker: Rgba8, bottom row first, and sentSentences of problems.
 TEXPLORER_BROWSER(pictureDrawn)
 void pictureDrawn(const void* pixels, int width, int height, double milliseconds, const char* problems,
                   int length);
+
+/// A worker with a copy of the whole program, which makes that file (a ui::FileOrder). takeFile and
+/// fileProgress (exports.cpp) get the answers. 0: the browser gives none.
+TEXPLORER_BROWSER(makeFileInCopy) unsigned makeFileInCopy(const void* order);
+/// Called in a copy: from 0 to 1.
+TEXPLORER_BROWSER(fileProgressed) void fileProgressed(float share);
+/// Called in a copy: the file and a remark, or why it is not made, as sentSentences.
+TEXPLORER_BROWSER(fileMade)
+void fileMade(bool made, const void* bytes, int byteCount, const char* sentences, int length);
 
 /// Lets the user choose files: they are given by filesGiven.
 TEXPLORER_BROWSER(chooseFiles) void chooseFiles(bool scene);

@@ -3,6 +3,7 @@
 
 #include "app/web/browser.h"
 #include "app/web/program.h"
+#include "app/web/sent_sentences.h"
 
 #include <algorithm>
 #include <array>
@@ -180,11 +181,34 @@ void takePicture(unsigned worker, std::byte* pixels, std::size_t byteCount, int 
         Image image;
         if (byteCount > 0)
             image = {PixelFormat::Rgba8, width, height, 1, Bytes(pixels, pixels + byteCount)};
-        program->takePicture(worker, std::move(image), milliseconds, said);
+        program->takePicture(worker, std::move(image), milliseconds, web::receivedSentences(said));
     } catch (const std::bad_alloc&) {
         program->workerEnded(worker, N_("not enough memory for the picture"));
     }
     std::free(pixels);
+}
+
+/// A worker has made a file, or not: `sentences` has a remark or the reason. `bytes` are nullptr if the page
+/// has no memory for them.
+TEXPLORER_EXPORT(takeFile)
+void takeFile(unsigned worker, bool made, std::byte* bytes, std::size_t byteCount, char* sentences,
+              std::size_t length) {
+    const Sentence said = web::receivedSentences(takeText(sentences, length)).at(0);
+    try {
+        if (!bytes)
+            throw std::bad_alloc();
+        if (made)
+            program->takeFile(worker, ui::MadeFile{Bytes(bytes, bytes + byteCount), said});
+        else
+            program->workerEnded(worker, said);
+    } catch (const std::bad_alloc&) {
+        program->workerEnded(worker, N_("not enough memory for it"));
+    }
+    std::free(bytes);
+}
+
+TEXPLORER_EXPORT(fileProgress) void fileProgress(unsigned worker, float share) {
+    program->fileProgress(worker, share);
 }
 
 TEXPLORER_EXPORT(workerEnded) void workerEnded(unsigned worker, char* reason, std::size_t length) {

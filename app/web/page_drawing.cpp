@@ -1,39 +1,21 @@
 #include "app/web/page_drawing.h"
 
-#include "app/view/sent_sentence.h"
 #include "app/web/browser.h"
 #include "texplorer/base/clock.h"
 #include "texplorer/files/file_io.h"
 #include "texplorer/scene/params/json.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
-#include <set>
 #include <utility>
 
 namespace texplorer::web {
 namespace {
 
-using nlohmann::json;
 using reference::DrawRequest;
 
 constexpr double leastPatience = 0.2; // seconds
 constexpr double mostPatience = 3;
 constexpr double pause = 5; // seconds after a worker that could not be loaded
-
-/// The program's own keys: their number has a limit.
-std::optional<std::string_view> keptKey(const std::string& key) {
-    static std::set<std::string> keys;
-    return *keys.insert(key).first;
-}
-
-std::vector<Sentence> problemsIn(std::string_view text) {
-    std::vector<Sentence> problems;
-    for (const json& each : json::parse(text))
-        problems.push_back(view::sentSentence(each, keptKey));
-    return problems;
-}
 
 double pixelsOf(const DrawRequest& request) {
     return static_cast<double>(request.width) * request.height;
@@ -44,13 +26,6 @@ int extent(int whole, int factor) {
 }
 
 } // namespace
-
-std::string problemsJson(const std::vector<Sentence>& problems) {
-    json all = json::array();
-    for (const Sentence& each : problems)
-        all.push_back(view::sentJson(each));
-    return all.dump(-1, ' ', false, json::error_handler_t::replace);
-}
 
 void PageDrawing::ask(std::uint64_t number, std::optional<DrawRequest> request) {
     waiting_.reset();
@@ -148,13 +123,13 @@ void PageDrawing::answer(const Job& job, reference::DrawnPicture picture) {
     answers_.push_back({job.number, std::move(picture)});
 }
 
-void PageDrawing::drawn(Image image, double milliseconds, std::string_view problems) {
+void PageDrawing::drawn(Image image, double milliseconds, std::vector<Sentence> problems) {
     if (!running_)
         return;
     if (!std::exchange(hasAnswered_, true))
         patience_ = std::clamp(steadySeconds() - made_, leastPatience, mostPatience);
     Job& job = *running_;
-    reference::DrawnPicture picture{nullptr, problemsIn(problems), milliseconds, job.factor == 1};
+    reference::DrawnPicture picture{nullptr, std::move(problems), milliseconds, job.factor == 1};
     if (!image.empty()) {
         millisecondsPerPixel_ = milliseconds / (static_cast<double>(image.width) * image.height);
         picture.image = std::make_shared<const Image>(std::move(image));

@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -35,8 +34,8 @@ public:
     /// Stops what is not wanted and takes long. Returns after how many seconds to call it again; nothing:
     /// after the next request.
     std::optional<double> check();
-    /// The worker has drawn. `problems`: see problemsJson.
-    void drawn(Image image, double milliseconds, std::string_view problems);
+    /// The worker has drawn.
+    void drawn(Image image, double milliseconds, std::vector<Sentence> problems);
     /// The worker has ended. `reason`: empty if it has not begun.
     void failed(const Sentence& reason);
 
@@ -68,8 +67,5 @@ private:
     std::vector<Answer> answers_;
     double millisecondsPerPixel_ = 2e-4; ///< a guess, before anything was drawn
 };
-
-/// A list of sentences, as a worker sends them.
-[[nodiscard]] std::string problemsJson(const std::vector<Sentence>& problems);
 
 } // namespace texplorer::web

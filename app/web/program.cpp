@@ -43,6 +43,7 @@ std::string jsonOf(const stage::Spoken& spoken) {
 
 Program::Program(const stage::Surface& surface, bool hasFingers, std::string page)
     : services_(When::WhenReady, {}, levelWork())
+    , writing_(levelWork())
     , unsaved_(unsavedFolderOfUser())
     , captures_(downloads)
     , settings_(ui::SettingsPlaces::ofUser(), {}, std::chrono::milliseconds(0)) // a page ends without notice
@@ -80,6 +81,7 @@ ui::Services Program::services() {
     services.captures = &captures_;
     services.reference = now_.worker;
     services.kept = kept_.worker;
+    services.writing = writing_;
     return services;
 }
 
@@ -91,15 +93,29 @@ PageDrawing* Program::drawingOf(unsigned worker) {
     return nullptr;
 }
 
-void Program::takePicture(unsigned worker, Image image, double milliseconds, const std::string& problems) {
+void Program::takePicture(unsigned worker, Image image, double milliseconds, std::vector<Sentence> problems) {
     if (PageDrawing* drawing = drawingOf(worker))
-        drawing->drawn(std::move(image), milliseconds, problems);
+        drawing->drawn(std::move(image), milliseconds, std::move(problems));
+    happened(stage::Refresh{});
+}
+
+void Program::takeFile(unsigned worker, ui::MadeFile file) {
+    if (worker == writing_.worker())
+        writing_.made(std::move(file));
+    happened(stage::Refresh{});
+}
+
+void Program::fileProgress(unsigned worker, float share) {
+    if (worker == writing_.worker())
+        writing_.progressed(share);
     happened(stage::Refresh{});
 }
 
 void Program::workerEnded(unsigned worker, const Sentence& reason) {
     if (PageDrawing* drawing = drawingOf(worker))
         drawing->failed(reason);
+    if (worker != 0 && worker == writing_.worker())
+        writing_.failed(reason);
     happened(stage::Refresh{});
 }
 

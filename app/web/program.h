@@ -7,6 +7,7 @@
 #include "app/ui/services/services.h"
 #include "app/ui/widgets/widget_places.h"
 #include "app/web/page_drawing.h"
+#include "app/web/page_writing.h"
 #include "app/web/web_graphics.h"
 
 #include <map>
@@ -38,8 +39,10 @@ public:
     /// The text that the next paste gets.
     void setClipboard(std::string text) { clipboard_ = std::move(text); }
     void contextRestored();
-    void takePicture(unsigned worker, Image image, double milliseconds, const std::string& problems);
-    /// See PageDrawing::failed.
+    void takePicture(unsigned worker, Image image, double milliseconds, std::vector<Sentence> problems);
+    void takeFile(unsigned worker, ui::MadeFile file);
+    void fileProgress(unsigned worker, float share);
+    /// See PageDrawing::failed and PageWriting::failed.
     void workerEnded(unsigned worker, const Sentence& reason);
     /// The page fills the screen, or no longer does.
     void fullScreenChanged(bool fills);
@@ -77,6 +80,7 @@ private:
     ui::OwnedServices<ui::FilesAtOnce> services_;
     Drawing now_;
     Drawing kept_;
+    PageWriting writing_;
     ui::UnsavedWork unsaved_;
     ui::Captures captures_;
     ui::SettingsFile settings_;

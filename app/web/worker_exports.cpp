@@ -1,10 +1,13 @@
-// The functions that page/drawer.mjs calls in a Web Worker: it draws pictures of the reference for
-// PageDrawing. A text is given in memory that `allocate` has returned and that the called function frees.
+// The functions that page/windowless.mjs calls in a Web Worker: it draws pictures of the reference for
+// PageDrawing, or makes a file for PageWriting. A text is given in memory that `allocate` has returned and
+// that the called function frees.
 
+#include "app/ui/services/file_writing.h"
 #include "app/web/browser.h"
 #include "app/web/level_work.h"
-#include "app/web/page_drawing.h"
+#include "app/web/sent_sentences.h"
 #include "texplorer/base/tried.h"
+#include "texplorer/reference/draw.h"
 #include "texplorer/scene/params/json.h"
 
 #include <chrono>
@@ -55,7 +58,20 @@ void drawPicture(char* text, std::size_t length, double time, int width, int hei
     const Image none;
     const Image& image = frame ? frame->image : none;
     const std::string problems =
-        web::problemsJson(frame ? frame->problems : std::vector{describe(frame.error())});
+        web::sentSentences(frame ? frame->problems : std::vector{describe(frame.error())});
     web::browser::pictureDrawn(image.pixels.data(), image.width, image.height, elapsed.count(),
                                problems.data(), web::lengthOf(problems));
+}
+
+/// `order` is that of the program of which this one is a copy.
+TEXPLORER_EXPORT(makeFile) void makeFile(const ui::FileOrder* order) {
+    constexpr FailureWords failure{N_("not enough memory for it"), N_("it can't be created")};
+    const Result<ui::MadeFile> made = tried(failure, [order] {
+        return order->make({.levels = web::levelWork(), .report = web::browser::fileProgressed});
+    });
+    const std::string said = web::sentSentences({made ? made->remark : describe(made.error())});
+    const Bytes none;
+    const Bytes& bytes = made ? made->bytes : none;
+    web::browser::fileMade(made.has_value(), bytes.data(), web::lengthOf(bytes), said.data(),
+                           web::lengthOf(said));
 }

@@ -105,6 +105,17 @@ void FilesInMemory::cancel(Ticket ticket) {
     std::erase_if(loaded_, [ticket](const ImageLoader::Loaded& each) { return each.ticket == ticket; });
 }
 
+Result<std::filesystem::path> WritingInMemory::put(const ui::FileOrder& order, ByteView bytes) {
+    saved_.push_back({{order.file.string(), Bytes(bytes.begin(), bytes.end())}});
+    return order.file;
+}
+
+ui::Services BareHost::servicesOf(BareHost& host) {
+    ui::Services services = host.services.lend();
+    services.writing = host.writing;
+    return services;
+}
+
 BareHost::BareHost(const Surface& surface, std::optional<RendererKind> chosen)
     : loop(graphics, session, surface, {},
            {[this](const FileWish& wish) { wishes.push_back(wish); },

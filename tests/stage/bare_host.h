@@ -74,6 +74,20 @@ private:
     std::vector<ImageLoader::Loaded> loaded_;
 };
 
+/// What it makes is saved like the other files.
+class WritingInMemory final : public ui::FileWriting {
+public:
+    explicit WritingInMemory(std::vector<std::vector<NamedFile>>& saved)
+        : FileWriting(When::AtOnce)
+        , saved_(saved) {}
+
+protected:
+    Result<std::filesystem::path> put(const ui::FileOrder& order, ByteView bytes) override;
+
+private:
+    std::vector<std::vector<NamedFile>>& saved_;
+};
+
 /// A host such as a browser: it has no OpenGL, files, folders, threads or clipboard. Its user chooses files
 /// when it asks, and receives the saved ones.
 class BareHost {
@@ -87,13 +101,17 @@ public:
     std::map<std::string, Bytes> known; ///< files that scenes may name
     PicturesInMemory graphics;
     ui::OwnedServices<FilesInMemory> services{When::AtOnce, {}, LevelWork{}, known};
-    ui::Session session{services.lend()};
-    std::vector<FileWish> wishes;              ///< requests for files to open
     std::vector<std::vector<NamedFile>> saved; ///< each a requested file with those that it needs
+    WritingInMemory writing{saved};
+    ui::Session session{servicesOf(*this)};
+    std::vector<FileWish> wishes; ///< requests for files to open
     Loop loop;
     double now = 0; ///< seconds
     Step last;
     int drawn = 0; ///< frames of the last run
+
+private:
+    static ui::Services servicesOf(BareHost& host);
 };
 
 } // namespace texplorer::stage

@@ -27,12 +27,12 @@ export class Page {
         const copy = mkdtempSync(join(tmpdir(), 'texplorer-'));
         try {
             writeFileSync(join(copy, 'package.json'), '{ "type": "module" }');
-            for (const name of ['drawer.mjs', 'storage.mjs', 'wasi'])
+            for (const name of ['windowless.mjs', 'storage.mjs', 'wasi'])
                 cpSync(join(folder, name), join(copy, name), { recursive: true });
             const load = (name) => import(pathToFileURL(join(copy, name)));
             globalThis.crypto ??= webcrypto; // node 18 has none
             ({ Storage: page.Storage } = await load('storage.mjs'));
-            ({ Drawer: page.Drawer } = await load('drawer.mjs'));
+            ({ Windowless: page.Windowless } = await load('windowless.mjs'));
             ({ WASI: page.WASI, ConsoleStdout: page.ConsoleStdout } = await load('wasi/index.js'));
         } finally {
             rmSync(copy, { recursive: true });
@@ -47,20 +47,22 @@ export class Program {
     calls = new Map(); // name of a function of the page → how often it was called
     spoken = null; // the last stage::Spoken
     posted = []; // messages to the page around this one, as texts
+    saved = []; // files for the user
     copied = null; // the clipboard's text
     log = []; // lines that were written to the console
     workers = new Map(); // number → what draws, as a Web Worker does
     asked = []; // what they were asked, newest last, each a function that draws and gives the answer to the program
     pictures = []; // their answers
+    shares = []; // of files, as they told them
     milliseconds = 0; // how long each seems to take
     #exports;
-    #Drawer;
+    #Windowless;
     #withoutWorkers;
 
     // `storage` is that of a program before: the page is opened again.
     constructor(page, { language = 'en', storage, size = SIZE, withoutWorkers = false } = {}) {
         this.#withoutWorkers = withoutWorkers;
-        this.#Drawer = page.Drawer;
+        this.#Windowless = page.Windowless;
         this.storage = storage ?? new page.Storage((error) => { throw error; });
         for (const [path, font] of page.fonts)
             this.storage.write(path, font);
@@ -82,8 +84,18 @@ export class Program {
             makeWorker: () => {
                 if (this.#withoutWorkers)
                     return 0;
-                this.workers.set(++made, new this.#Drawer(module));
+                this.workers.set(++made, new this.#Windowless(module));
                 return made;
+            },
+            makeFileInCopy: (order) => {
+                if (this.#withoutWorkers)
+                    return 0;
+                const copy = { memory: this.#exports.memory.buffer.slice(0), files: this.storage.files() };
+                const worker = ++made;
+                const program = new this.#Windowless(module, copy, (share) => this.shares.push(share));
+                this.workers.set(worker, program);
+                this.asked.push(() => this.#fileOf(worker, order));
+                return worker;
             },
             dropWorker: (worker) => { this.workers.delete(worker); },
             sendFile: (worker, name, nameLength, at, length) =>
@@ -94,6 +106,8 @@ export class Program {
             },
             speak: (at, length) => { this.spoken = JSON.parse(this.#textAt(at, length)); },
             postMessage: (at, length) => { this.posted.push(this.#textAt(at, length)); },
+            saveFile: (name, nameLength, at, length) =>
+                this.saved.push({ name: this.#textAt(name, nameLength), bytes: this.#bytesAt(at, length) }),
             writeClipboard: (at, length) => { this.copied = this.#textAt(at, length); },
         };
         const browser = {};
@@ -135,6 +149,16 @@ export class Program {
         this.pictures.push({ pixels, width, height, problems: JSON.parse(problems) });
         this.call('takePicture', worker, ...this.copyIn(pixels), width, height,
             this.milliseconds, ...this.copyIn(problems));
+    }
+
+    #fileOf(worker, order) {
+        const program = this.workers.get(worker);
+        if (!program)
+            return;
+        const { made, file, sentences } = program.makeFile(order);
+        for (const share of this.shares)
+            this.call('fileProgress', worker, share);
+        this.call('takeFile', worker, made, ...this.copyIn(file), ...this.copyIn(sentences));
     }
 
     // Lets the workers do all that they are asked.

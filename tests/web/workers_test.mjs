@@ -1,5 +1,5 @@
-// node workers_test.mjs PAGE: pictures that the program of a built page gets from workers. Here they work when the test lets
-// them.
+// node workers_test.mjs PAGE: pictures and files that the program of a built page gets from workers. Here they work when the
+// test lets them.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -152,4 +152,56 @@ test('a browser without workers is named', () => {
     assert.match(program.spoken.status, /worker/);
     turn(program, 10); // it does not stop
     assert.deepEqual(program.log, []);
+});
+
+// Begins to record an animation.
+function record(program) {
+    program.set('models[0].spin', '0,90,0');
+    program.draw();
+    for (const name of ['menu:File', 'menu:Record animation…', 'record:GIF', 'record:choose'])
+        program.click(name);
+}
+
+// Lets the workers do what they are asked now: a scene that moves asks for more without an end.
+function work(program) {
+    for (let rest = program.asked.length; rest > 0; --rest) {
+        program.asked.shift()();
+        program.draw();
+    }
+}
+
+test('a file is made in a copy of the program', () => {
+    const program = drawn();
+    record(program);
+    turn(program, 30); // not in the file: the window goes on
+    work(program);
+    const [{ name, bytes }] = program.saved;
+    assert.match(name, /\.gif$/);
+    assert.equal(Buffer.from(bytes.subarray(0, 6)).toString(), 'GIF89a');
+    assert.ok(program.shares.length > 2);
+    assert.ok(program.shares.every((share, i) => share <= 1 && (i === 0 || share >= program.shares[i - 1])));
+    assert.match(program.spoken.status, /Written/);
+    assert.deepEqual(program.log, []);
+
+    const alone = opened({ withoutWorkers: true });
+    record(alone);
+    assert.deepEqual(alone.saved, program.saved);
+});
+
+test('a file that is cancelled is not made', () => {
+    const program = drawn();
+    record(program);
+    program.click('cancel:writing');
+    work(program);
+    assert.deepEqual(program.saved, []);
+});
+
+test('a file whose worker ends is named', () => {
+    const program = drawn();
+    record(program);
+    program.call('workerEnded', Math.max(...program.workers.keys()), ...program.copyIn('no memory'));
+    program.draw();
+    work(program);
+    assert.deepEqual(program.saved, []);
+    assert.match(program.spoken.status, /no memory/);
 });

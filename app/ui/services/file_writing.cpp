@@ -56,6 +56,10 @@ std::optional<FileNews> FileWriting::work(const Writing::Task& task) {
     Result<MadeFile> made = order.make(making);
     if (task.stop().stop_requested())
         return std::nullopt;
+    return finish(order, std::move(made));
+}
+
+FileNews FileWriting::finish(const FileOrder& order, Result<MadeFile> made) {
     if (!made)
         return unwritten(order, made.error());
     const Result<std::filesystem::path> written = put(order, made->bytes);
@@ -66,8 +70,8 @@ std::optional<FileNews> FileWriting::work(const Writing::Task& task) {
     const std::string name = printable(written->string());
     const ProperName file{name};
     if (made->remark.empty())
-        return FileNews{Sentence("Written: {0}", file), true};
-    return FileNews{Sentence("Written: {0}. {1}", file, made->remark), false};
+        return {Sentence("Written: {0}", file), true};
+    return {Sentence("Written: {0}. {1}", file, made->remark), false};
 }
 
 void FileWriting::write(FileOrder order) {
@@ -87,7 +91,7 @@ Result<void> FileWriting::writeAs(FileOrder order, std::string_view extension,
 }
 
 std::optional<FileNews> FileWriting::takeNews() {
-    std::vector<FileNews> news = worker_.take();
+    std::vector<FileNews> news = take();
     if (news.empty())
         return std::nullopt;
     const auto bad = std::ranges::find(news, false, &FileNews::isGood);

@@ -13,6 +13,7 @@
 #include <map>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace texplorer::ui {
 
@@ -56,22 +57,26 @@ struct FileNews {
 };
 
 /// Writes files that take long to make, one after the other, in the background; at its end those that are not
-/// written yet are cancelled. Call all functions on one thread.
+/// written yet are cancelled. Call all functions on one thread. A host without threads or folders overrides
+/// the virtual functions.
 class FileWriting {
 public:
     /// `wake` is called on the working thread when there is a result. `levels`: how textures are compressed
     /// at run time.
     explicit FileWriting(When when, std::function<void()> wake = {}, LevelWork levels = {});
+    FileWriting(const FileWriting&) = delete;
+    FileWriting& operator=(const FileWriting&) = delete;
+    virtual ~FileWriting() = default;
 
-    void write(FileOrder order);
+    virtual void write(FileOrder order);
     /// The same for a file that the user has named, see FileOrder::replaces. Errors: its name does not end
     /// with `extension`.
     [[nodiscard]] Result<void> writeAs(FileOrder order, std::string_view extension,
                                        const std::optional<FileFingerprint>& replaces);
     /// The progress of the current file; nothing if there is none.
-    [[nodiscard]] std::optional<FileProgress> progress() const { return worker_.progress(); }
+    [[nodiscard]] virtual std::optional<FileProgress> progress() const { return worker_.progress(); }
     /// Cancels all files that are not written yet: the old ones stay unchanged.
-    void cancel() {
+    virtual void cancel() {
         worker_.drop([](const FileOrder&) { return true; });
     }
     /// The result, once: of the first file that failed, or of the last one that was written.
@@ -79,10 +84,17 @@ public:
     /// Blocks until all files are written.
     void wait() const { worker_.wait(); }
 
+protected:
+    /// The results since the last call.
+    [[nodiscard]] virtual std::vector<FileNews> take() { return worker_.take(); }
+    /// Writes what was made.
+    [[nodiscard]] FileNews finish(const FileOrder& order, Result<MadeFile> made);
+    /// Writes the bytes, and returns where.
+    [[nodiscard]] virtual Result<std::filesystem::path> put(const FileOrder& order, ByteView bytes);
+
 private:
     using Writing = Worker<FileOrder, FileNews, FileProgress>;
     [[nodiscard]] std::optional<FileNews> work(const Writing::Task& task);
-    [[nodiscard]] Result<std::filesystem::path> put(const FileOrder& order, ByteView bytes);
 
     const LevelWork levels_;
     /// The files that it has written, which a later order of the same name replaces. Used only on the working

@@ -115,6 +115,9 @@ export class Storage {
         folderOf(this.root.dir, path, true).contents.set(nameOf(path), file);
     }
 
+    // The paths and contents of all files.
+    files() { return [...filesBelow(this.root.dir, '')].map(([path, file]) => [path, file.data]); }
+
     // Reads what earlier pages have kept. The unsaved work of a page that is still open stays with it.
     async open() {
         try {

@@ -103,7 +103,7 @@ function browserFor(files) {
         browser[name] = (...values) => scene[name](...values);
     for (const name of methodsOf(Workers))
         browser[name] = (...values) => workers[name](...values);
-    browser.pictureDrawn = () => {}; // of workers
+    browser.pictureDrawn = browser.fileMade = browser.fileProgressed = () => {}; // of workers
     return browser;
 }
 
@@ -147,11 +147,19 @@ async function load(storage, files) {
         { wasi_snapshot_preview1: wasi.wasiImport, browser: browserFor(files) });
     exports = instance.exports;
     wasi.initialize(instance);
-    workers = new Workers(module, bytesAt, textAt, (worker, { pixels, width, height, milliseconds, problems }) => {
-        const at = call('allocate', pixels.length);
+    const given = (content) => { // 0: there is not enough memory
+        const at = call('allocate', content.length);
         if (at)
-            bytes().set(pixels, at);
-        call('takePicture', worker, at, pixels.length, width, height, milliseconds, ...copyIn(problems));
+            bytes().set(content, at);
+        return [at, content.length];
+    };
+    workers = new Workers(module, bytes, () => storage.files(), (worker, heard) => {
+        if (heard.pixels)
+            call('takePicture', worker, ...given(heard.pixels), heard.width, heard.height, heard.milliseconds, ...copyIn(heard.problems));
+        else if (heard.file)
+            call('takeFile', worker, heard.made, ...given(heard.file), ...copyIn(heard.sentences));
+        else
+            call('fileProgress', worker, heard.share);
         redraw();
     }, (worker, reason) => {
         call('workerEnded', worker, ...copyIn(reason));

@@ -1,36 +1,46 @@
-// The Web Workers that draw pictures for the program (app/web/page_drawing.h).
+// The Web Workers that draw pictures (app/web/page_drawing.h) and make files (app/web/page_writing.h).
 
 export class Workers {
     #module;
-    #bytesAt;
-    #textAt;
-    #drawn;
+    #memory;
+    #files;
+    #heard;
     #failed;
     #workers = new Map(); // number → Worker
     #made = 0;
 
-    // `module` is the program, compiled. `bytesAt` and `textAt` copy from its memory. `drawn` is called with a worker's number
-    // and an answer of Drawer.draw, `failed` with its number and a reason.
-    constructor(module, bytesAt, textAt, drawn, failed) {
+    // `module` is the program, compiled. `memory` returns its memory, `files` the paths and contents of its files. `heard` is
+    // called with a worker's number and a message of windowless_worker.mjs, `failed` with its number and a reason.
+    constructor(module, memory, files, heard, failed) {
         this.#module = module;
-        this.#bytesAt = bytesAt;
-        this.#textAt = textAt;
-        this.#drawn = drawn;
+        this.#memory = memory;
+        this.#files = files;
+        this.#heard = heard;
         this.#failed = failed;
     }
 
     // Returns a number above 0; 0: the browser makes none.
-    makeWorker() {
+    makeWorker() { return this.#make(() => ({})); }
+
+    makeFileInCopy(order) {
+        return this.#make(() => {
+            const memory = this.#memory().slice();
+            return { order, copy: { memory: memory.buffer, files: this.#files() } };
+        });
+    }
+
+    #make(messageOf) {
         const number = this.#made + 1;
         let worker = null;
         try {
-            worker = new Worker(new URL('picture_worker.mjs', import.meta.url), { type: 'module' });
-            worker.postMessage({ module: this.#module });
+            const message = messageOf();
+            worker = new Worker(new URL('windowless_worker.mjs', import.meta.url), { type: 'module' });
+            worker.postMessage({ module: this.#module, ...message }, message.copy ? [message.copy.memory] : []);
             const heard = (tell) => (event) => { // an event can be on its way when the worker is dropped
                 if (this.#workers.get(number) === worker)
                     tell(event);
             };
-            worker.onmessage = heard(({ data }) => (data.error === undefined ? this.#drawn(number, data) : this.#failed(number, data.error)));
+            worker.onmessage = heard(({ data }) => (data.error === undefined ? this.#heard(number, data) : this.#failed(number, data.error)));
             worker.onerror = heard((event) => this.#failed(number, event.message ?? ''));
             this.#workers.set(number, worker);
         } catch (error) {
@@ -55,6 +65,9 @@ export class Workers {
     drawInWorker(number, scene, length, ...numbers) {
         this.#send(number, () => ({ scene: this.#textAt(scene, length), numbers }));
     }
+
+    #bytesAt(at, length) { return this.#memory().slice(at, at + length); }
+    #textAt(at, length) { return new TextDecoder().decode(this.#bytesAt(at, length)); }
 
     // What can't be sent, for lack of memory, ends the worker.
     #send(number, messageOf) {
