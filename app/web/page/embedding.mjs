@@ -11,10 +11,14 @@ export async function listen(receive) {
     allowed = [location.origin, ...await fetch('embed.json').then((response) => response.json())
         .then(({ origins }) => (Array.isArray(origins) ? origins : [])).catch(() => [])];
     window.addEventListener('message', ({ source, origin, data }) => {
-        if (source !== window.parent || !allowed.includes(origin))
-            return;
+        if (source !== window.parent || !allowed.includes(origin) || typeof data !== 'object')
+            return; // texts are of other libraries
         heard = origin;
-        receive(JSON.stringify(data) ?? '');
+        receive(JSON.stringify(data));
+    });
+    window.addEventListener('keydown', ({ key }) => {
+        if (key === 'Escape')
+            window.parent.focus(); // else no key would leave the canvas
     });
     const around = document.referrer && new URL(document.referrer).origin;
     if (allowed.includes(around))

@@ -19,6 +19,8 @@ const decoder = new TextDecoder();
 // ImGuiMouseCursor, in its order.
 const CURSORS = ['default', 'text', 'move', 'ns-resize', 'ew-resize', 'nesw-resize', 'nwse-resize', 'pointer', 'not-allowed'];
 
+const isFramed = window.parent !== window;
+
 let exports = null;
 let panels = null;
 let scene = null;
@@ -173,7 +175,7 @@ async function open() {
         trouble = String(error?.message ?? error);
         if (exports)
             tell();
-    });
+    }, !isFramed); // what a page does with a window in it is no one's work
     const tell = () => {
         if (trouble !== null)
             call('storageFailed', ...copyIn(trouble));
@@ -312,7 +314,8 @@ async function open() {
     if (!exports)
         return;
     message.hidden = true;
-    canvas.focus();
+    if (!isFramed) // the keys stay with a page around this one
+        canvas.focus();
     document.documentElement.dataset.state = 'ready';
     navigator.serviceWorker?.register('worker.js').catch((error) => console.warn(error));
 }
