@@ -8,10 +8,11 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . packaging/bare_debian.sh
 
 # npm packages: name, version and SHA-256. The first holds a compiler, of which its C library is taken: Debian's has no
-# <pthread.h>. The second is the system that a page gives to a program.
+# <pthread.h>. The second is the system that a page gives to a program, the third shows the example of slides.
 npm_packages=(
     "@yowasp/clang 22.0.0-git20542-10 6230ea1afa9691fa065935cf68c01642ff9b31c183fe8ac64cdfda025df06009"
     "@bjorn3/browser_wasi_shim 0.4.2 9c0281520d0e99f027ec7c1c79b4036c0f8168ed9bf98aba19db4737a1333782"
+    "reveal.js 6.0.2 2f0c20bfb02447a198a1ebe8a8c097a5437d035caa38f2820bf4ba887a3eac91"
 )
 # Source packages of Debian 12, with the SHA-256 of their .dsc, which has those of the other files.
 sources=(
@@ -90,8 +91,10 @@ unpack() {
         '*/libcxxabi/*' '*/libunwind/*' '*/libc/*' '*/runtimes/*' '*/cmake/*' '*/llvm-lit/*'
     tar -xOf yowasp-clang-*.tgz package/gen/llvm-resources.tar | tar -x -C "$root" include/wasm32-wasip1 lib/wasm32-wasip1
     rm "$lib"/libc++*
-    mkdir -p "$root/share/wasi"
+    mkdir -p "$root/share/wasi" "$root/share/reveal"
     tar -xf bjorn3-browser_wasi_shim-*.tgz -C "$root/share/wasi" --strip-components=2 --wildcards 'package/dist/*.js'
+    tar -xf reveal.js-*.tgz -C "$root/share/reveal" --transform='s|.*/||' \
+        package/dist/{reveal.mjs,reset.css,reveal.css,theme/serif.css}
 }
 
 make_cmake() { # make_cmake NAME SOURCES OPTION…: built with CMake and installed into the root
@@ -173,6 +176,7 @@ collect_licences() {
     for name in *.dsc; do cp "${name%%_*}/debian/copyright" "$root/share/licences/${name%%_*}"; done
     cp llvm/libcxx/LICENSE.TXT "$root/share/licences/libc++"
     tar -xOf bjorn3-browser_wasi_shim-*.tgz package/LICENSE-MIT >"$root/share/licences/browser_wasi_shim"
+    tar -xOf reveal.js-*.tgz package/LICENSE >"$root/share/licences/reveal.js"
     for name in "${header_packages[@]}" "${copied_packages[@]}"; do
         cp "/usr/share/doc/$name/copyright" "$root/share/licences/$name"
     done

@@ -34,8 +34,8 @@ def main(program, root, source, page):
     new = pathlib.Path(tempfile.mkdtemp(dir=page.parent, prefix=f"{page.name}-"))
     new.chmod(0o755)
     shutil.copytree(source / "app/web/page", new, dirs_exist_ok=True)
-    shutil.copytree(root / "share/wasi", new / "wasi")
-    shutil.copytree(root / "share/licences", new / "licences")
+    for name in ("wasi", "reveal", "licences"):
+        shutil.copytree(root / "share" / name, new / name)
     shutil.copy(source / "LICENSE", new / "licences/texplorer")
     shutil.copy(program, new / "texplorer.wasm")
     shutil.copy(source / "assets/texplorer.svg", new)
@@ -51,9 +51,9 @@ def main(program, root, source, page):
     version = hashlib.sha256()
     for name in files:
         version.update(name.encode() + b"\0" + (new / name).read_bytes())
-    # embed.json may be changed on the server; index.html is the folder itself.
-    kept = [name for name in files
-            if not name.startswith("licences/") and name not in ("worker.js", "embed.json", "index.html")]
+    # embed.json may be changed on the server; index.html is the folder itself; slides are an example.
+    kept = [name for name in files if not name.startswith(("licences/", "reveal/", "slides."))
+            and name not in ("worker.js", "embed.json", "index.html")]
     worker = (new / "worker.js").read_text()
     worker = worker.replace("@VERSION@", version.hexdigest()[:16]).replace("@FILES@", repr(["./", *kept]))
     (new / "worker.js").write_text(worker)

@@ -15,7 +15,7 @@ import unittest
 
 from PIL import Image, ImageChops
 
-from browser import Browser
+from browser import Browser, Keys
 
 PAGE = pathlib.Path()
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
@@ -404,6 +404,49 @@ class Lessons(PageTest):
             f"{frame} return frame.texplorer.send({{texplorer: 1, do: 'read'}}).scene.textures[0].wrapS") == "GL_CLAMP")
         self.browser.script("document.querySelector('[data-open]').click()")
         self.until(lambda: "Step 3: 1 of 7" in self.spoken("#progress"))
+
+    def test_slides_around_it_set_parameters_and_hear_of_answers(self):
+        self.open()  # over with the tour
+        self.browser.complaints()  # of others
+        self.browser.driver.get(self.server.address + "slides.html")
+        self.browser.one(".reveal.ready")
+        within = "const frame = document.querySelector('.present iframe').contentWindow; return frame."
+
+        def go_on(hash):
+            self.browser.keys(Keys.RIGHT)
+            self.until(lambda: self.browser.script("return location.hash") == hash)
+
+        def wait_for_the_window():
+            self.until(lambda: self.browser.script(f"{within}document.documentElement.dataset.state") == "ready")
+            self.assertEqual(len(self.browser.all("iframe[src]")), 1)
+
+        def wait_for_mode(mode):
+            self.until(lambda: self.browser.script(
+                f"{within}texplorer.send({{texplorer: 1, do: 'read'}}).scene.textures[0].wrapT") == mode)
+
+        go_on("#/1")
+        wait_for_the_window()
+        self.until(lambda: self.browser.script(f"{within}texplorer.send({{texplorer: 1, do: 'read'}}).scene.models[0].name") == "Square")
+        for step, mode in enumerate(("GL_MIRRORED_REPEAT", "GL_CLAMP_TO_EDGE", "GL_CLAMP_TO_BORDER")):
+            go_on(f"#/1/0/{step}")
+            wait_for_mode(mode)
+        self.browser.keys(Keys.LEFT)
+        wait_for_mode("GL_CLAMP_TO_EDGE")
+        go_on("#/1/0/2")
+        go_on("#/2")
+        wait_for_the_window()
+        self.until(lambda: self.browser.script(f"{within}document.querySelectorAll('#lesson ol button').length"))
+        self.browser.script(f"{within}document.querySelectorAll('#lesson ol button')[1].click()")
+        self.until(lambda: "Answer 2" in self.spoken(".present .said"))
+        left, top, width, height = self.browser.box(".present iframe")
+        for kind, buttons in (("mousePressed", 1), ("mouseReleased", 0)):
+            self.mouse(kind, left + width / 2, top + height / 2, buttons=buttons)
+        self.until(lambda: self.browser.script("return document.activeElement.tagName") == "IFRAME")
+        self.browser.keys(Keys.ESCAPE)
+        self.until(lambda: self.browser.script("return document.activeElement.tagName") == "BODY")
+        go_on("#/3")
+        ours = [each for each in self.browser.complaints() if "GL Driver Message" not in each]
+        self.assertEqual(ours, [])
 
     def test_the_page_of_the_document_works(self):
         """docs/web.md's iframe and script, with this server's address for the one that they name."""
