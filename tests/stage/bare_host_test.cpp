@@ -327,6 +327,19 @@ TEST_F(BareHostTest, AnAddressOpensASceneOrALesson) {
     EXPECT_EQ(host.session.lesson->step, 1U);
 }
 
+TEST_F(BareHostTest, AFrameShowsTheViewAndAnOpenLessonWithoutTheTour) {
+    ui::Workspace& workspace = host.session.settings.workspace;
+    showTab(workspace, ui::Tab::Lesson); // the list: no lesson is open
+    host.session.window.tour = 0;
+    ASSERT_TRUE(ui::openAddress(host.session, "layout=embed"));
+    host.run({Refresh{}});
+    EXPECT_FALSE(isOpen(workspace, ui::Tab::Lesson));
+    EXPECT_EQ(host.session.window.tour, std::nullopt);
+    ASSERT_TRUE(ui::openAddress(host.session, "lesson=wrap&layout=embed"));
+    host.run({Refresh{}});
+    EXPECT_TRUE(isOpen(workspace, ui::Tab::Lesson));
+}
+
 TEST_F(BareHostTest, AnAddressThatNamesNothingIsRefused) {
     const Scene before = scene();
     for (const auto& [address, said] :

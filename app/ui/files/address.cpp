@@ -20,6 +20,7 @@ struct Named {
     std::string lesson;
     std::optional<std::size_t> step; ///< from 0
     const LayoutRow* layout = nullptr;
+    bool isEmbedded = false;
 };
 
 constexpr std::string_view embedded = "embed"; // for a frame in another page: the view, and the open lesson
@@ -70,6 +71,7 @@ Result<Named> parse(std::string_view address) {
             if (!layout)
                 return fail(layout.error());
             named.layout = *layout;
+            named.isEmbedded = value == embedded;
         } else {
             return fail(unexpected(part));
         }
@@ -87,9 +89,13 @@ Result<void> openAddress(Session& session, std::string_view address) {
     const Result<Named> named = parse(address);
     if (!named)
         return fail(named.error());
-    const auto choose = [layout = named->layout](Session& s) {
-        if (layout)
-            chooseLayout(s.settings.workspace, *layout);
+    const auto choose = [&named](Session& s) {
+        if (named->layout && (s.lesson || !named->isEmbedded))
+            chooseLayout(s.settings.workspace, *named->layout);
+        else if (named->layout)
+            s.settings.workspace = workspaceOf(*named->layout);
+        if (named->isEmbedded)
+            s.window.tour.reset();
     };
     if (named->lesson.empty()) {
         choose(session);
