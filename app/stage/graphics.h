@@ -67,6 +67,9 @@ public:
     virtual void startPanels() = 0;
     virtual void endPanels() = 0;
     virtual void fontsChanged() = 0;
+    /// Starts to fetch a font of Chinese letters: a later frame finds it in its folder. False: the host has
+    /// no other fonts than those in the folders.
+    [[nodiscard]] virtual bool fetchFont() { return false; }
     virtual void beginFrame() = 0; ///< right before the display's size is set
     /// Clears the framebuffer of this size to `ground` and draws the data of Dear ImGui.
     virtual void drawPanels(ImDrawData& panels, view::Size pixels, const ImVec4& ground) = 0;

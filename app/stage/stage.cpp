@@ -89,7 +89,9 @@ public:
     [[nodiscard]] Sentence setLook(float scale, const ui::Settings& settings, ui::Language system) {
         const ui::Language language = settings.language == ui::Language::System ? system : settings.language;
         Sentence problem;
-        const bool translated = language != language_;
+        const bool fontCame = waitsForFont_ && ui::hasLettersOf(ui::Language::Chinese);
+        waitsForFont_ = waitsForFont_ && !fontCame;
+        const bool translated = language != language_ || fontCame;
         if (translated)
             problem = setLanguage(language);
         ui::useCatalogue(catalogue_.get());
@@ -108,6 +110,8 @@ public:
     /// Whether it has letters that the next frame will provide.
     [[nodiscard]] bool lacksLetters(const ImDrawData& drawn) {
         lacksLetters_ = letters_.look(drawn);
+        if (lacksLetters_ && letters_.needChineseFont() && !ui::hasLettersOf(ui::Language::Chinese))
+            waitsForFont_ = graphics_.fetchFont();
         return lacksLetters_;
     }
 
@@ -116,9 +120,13 @@ private:
         language_ = language;
         ui::useCatalogue(nullptr);
         catalogue_.reset();
-        if (!ui::hasLettersOf(language))
+        if (!ui::hasLettersOf(language)) {
+            waitsForFont_ = graphics_.fetchFont();
+            if (waitsForFont_)
+                return {};
             return N_("No readable font with Chinese characters was found. Install fonts-droid-fallback or "
                       "fonts-wqy-microhei and restart Texplorer.");
+        }
         Result<std::unique_ptr<const ui::Catalogue>> catalogue = ui::catalogueOf(language);
         if (!catalogue)
             return {N_("The window stays in English: {0}."), describe(catalogue.error())};
@@ -133,6 +141,7 @@ private:
     ui::Appearance appearance_;
     ui::Letters letters_;
     bool lacksLetters_ = false;
+    bool waitsForFont_ = false; ///< of Chinese letters
 };
 
 struct Stage::State {

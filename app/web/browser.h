@@ -86,6 +86,8 @@ void fileMade(bool made, const void* bytes, int byteCount, const char* sentences
 
 /// Lets the user choose files: they are given by filesGiven.
 TEXPLORER_BROWSER(chooseFiles) void chooseFiles(bool scene);
+/// Fetches the font of Chinese letters into its folder, and draws a frame then.
+TEXPLORER_BROWSER(fetchFont) void fetchFont();
 /// Gives a file to the user, as a download.
 TEXPLORER_BROWSER(saveFile)
 void saveFile(const char* name, int nameLength, const void* bytes, int byteCount);

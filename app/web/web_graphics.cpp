@@ -96,6 +96,11 @@ void WebGraphics::fontsChanged() {
     makeFonts();
 }
 
+bool WebGraphics::fetchFont() {
+    browser::fetchFont();
+    return true;
+}
+
 void WebGraphics::contextRestored() {
     pictures_.forget();
     for (std::optional<gles::ScenePainter>& painter : painters_) {

@@ -33,6 +33,7 @@ public:
     void startPanels() override { makeFonts(); }
     void endPanels() override { dropFonts(); }
     void fontsChanged() override;
+    [[nodiscard]] bool fetchFont() override;
     void beginFrame() override {}
     void drawPanels(ImDrawData& panels, view::Size pixels, const ImVec4& ground) override;
     [[nodiscard]] Image readPanels(view::Size pixels) override;

@@ -151,6 +151,14 @@ class Opening(PageTest):
         hosts = self.browser.script("return performance.getEntriesByType('resource').map((each) => new URL(each.name).host)")
         self.assertEqual(set(hosts), {self.server.address.split("/")[2]})
 
+    def test_the_chinese_font_is_fetched_when_a_name_needs_it(self):
+        asked = "return performance.getEntriesByType('resource').some((each) => each.name.endsWith('fonts/Chinese.ttf'))"
+        self.open()
+        self.assertFalse(self.browser.script(asked))
+        Files.drop(self, **{"纹理.bmp": Files.RED})
+        self.until(lambda: self.browser.script(asked))
+        self.assertEqual(self.parameter("textures[0].file"), "纹理.bmp")
+
 
 class Input(PageTest):
     def test_a_choice_is_clicked_and_undone(self):
@@ -515,6 +523,8 @@ class Offline(PageTest):
         self.server.server_close()
         self.browser.driver.get(self.server.address)
         self.ready()
+        self.assertTrue(self.browser.driver.execute_async_script(
+            "fetch('fonts/Chinese.ttf').then(({ ok }) => arguments[0](ok), () => arguments[0](false))"))
 
     def test_a_lost_context_is_restored(self):
         def above_the_status():  # which has the time that a frame took

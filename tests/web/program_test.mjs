@@ -121,6 +121,27 @@ function answerOf(program, message) {
     return answer;
 }
 
+const isChinese = ([path]) => path.includes('droid');
+
+for (const [what, options, ask] of [['the language', { language: 'zh_CN' }, () => {}],
+    ['a name', {}, (program) => program.call('fileRefused', ...program.copyIn('纹理.png'))]]) {
+    test(`the Chinese font is fetched when ${what} needs it`, () => {
+        const program = new Program({ ...page, fonts: page.fonts.filter((font) => !isChinese(font)) }, options);
+        const fetchedBefore = program.count('fetchFont');
+        ask(program);
+        program.draw();
+        assert.deepEqual([fetchedBefore, program.count('fetchFont')], [0, 1]);
+        assert.equal(program.spoken.language, 'en');
+        const textures = program.count('makeTexture');
+        program.storage.write(...page.fonts.find(isChinese));
+        program.call('refresh');
+        program.draw();
+        assert.equal(program.count('fetchFont'), 1);
+        assert.equal(program.spoken.language, options.language ? 'zh-CN' : 'en');
+        assert.ok(program.count('makeTexture') > textures);
+    });
+}
+
 test('messages are obeyed', () => {
     const program = opened();
     const good = [

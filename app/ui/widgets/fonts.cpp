@@ -129,6 +129,11 @@ bool Letters::look(const ImDrawData& drawn) {
     return asked_.size() > before;
 }
 
+bool Letters::needChineseFont() const {
+    constexpr ImWchar firstRadical = 0x2E80;
+    return asked_.lower_bound(firstRadical) != asked_.end();
+}
+
 std::size_t maxLetters(float size) {
     constexpr float atlasPixels = 16e6F;
     constexpr float atAnySize = 4096;

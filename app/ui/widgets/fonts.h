@@ -18,6 +18,8 @@ public:
     /// Looks for drawn letters that the fonts do not have yet. True: build the fonts again before the next
     /// frame. False if no font has them, which shows as U+FFFD, or if there are `maxLetters` already.
     [[nodiscard]] bool look(const ImDrawData& drawn);
+    /// Whether some of them are only in a font of Chinese letters, as ideographs are.
+    [[nodiscard]] bool needChineseFont() const;
 
 private:
     friend void addFonts(float scale, const Catalogue* catalogue, const Letters& letters);

@@ -69,8 +69,10 @@ const methodsOf = (kind) => Object.getOwnPropertyNames(kind.prototype)
     .filter((name) => !['constructor', 'gl', 'restore'].includes(name));
 
 // What the program calls (browser.h).
-function browserFor(files) {
+function browserFor(storage, files) {
     const browser = {
+        fetchFont: () => writeFont(storage, 'Chinese.ttf')
+            .then(() => call('refresh'), () => call('fileRefused', ...copyIn('fonts/Chinese.ttf'))).then(() => redraw()),
         chooseFiles: () => files.choose(),
         saveFile: (name, nameLength, at, length) => download(textAt(name, nameLength), bytesAt(at, length)),
         writeClipboard: (at, length) => {
@@ -136,17 +138,22 @@ const fonts = {
     'Chinese.ttf': '/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf',
 };
 
+async function writeFont(storage, name) {
+    const response = await fetched(`fonts/${name}`);
+    storage.write(fonts[name], new Uint8Array(await response.arrayBuffer()));
+}
+
 async function load(storage, files) {
-    const [module, ...read] = await Promise.all([compiled('texplorer.wasm'),
-        ...Object.keys(fonts).map((name) => fetched(`fonts/${name}`).then((response) => response.arrayBuffer())),
-        storage.open()]);
-    Object.values(fonts).forEach((path, i) => storage.write(path, new Uint8Array(read[i])));
+    const isChinese = navigator.language.startsWith('zh'); // else the program fetches that font when it needs it
+    const needed = Object.keys(fonts).filter((name) => name !== 'Chinese.ttf' || isChinese);
+    const [module] = await Promise.all([compiled('texplorer.wasm'), storage.open(),
+        ...needed.map((name) => writeFont(storage, name))]);
     const log = ConsoleStdout.lineBuffered((line) => console.warn(line));
     const environment = ['HOME=/home', 'XDG_STATE_HOME=/home/state', 'XDG_CONFIG_HOME=/home/config',
         `LANG=${navigator.language.replace('-', '_')}.UTF-8`];
     const wasi = new WASI([], environment, [log, log, log, storage.root], { debug: false });
     const instance = await WebAssembly.instantiate(module,
-        { wasi_snapshot_preview1: wasi.wasiImport, browser: browserFor(files) });
+        { wasi_snapshot_preview1: wasi.wasiImport, browser: browserFor(storage, files) });
     exports = instance.exports;
     wasi.initialize(instance);
     const given = (content) => { // 0: there is not enough memory

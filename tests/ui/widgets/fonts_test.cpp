@@ -98,6 +98,14 @@ TEST_F(LettersOfText, AreLoadedTwoFramesAfterTheyWereFirstDrawn) {
     EXPECT_TRUE(isLoaded(textFont(), U'纹')) << "they stay";
 }
 
+TEST_F(LettersOfText, NeedAChineseFontForIdeographs) {
+    EXPECT_TRUE(draw("שלום"));
+    EXPECT_TRUE(draw("שלום"));
+    EXPECT_FALSE(letters.needChineseFont());
+    EXPECT_TRUE(draw("纹"));
+    EXPECT_TRUE(letters.needChineseFont());
+}
+
 TEST_F(LettersOfText, ThatAreUsualCostNothing) {
     const int glyphs = textFont().Glyphs.Size;
     EXPECT_FALSE(draw("brick.png · Ключ · naïve · … ▶"));
