@@ -55,6 +55,7 @@ Result<Json> set(ui::Session& session, const Json& message) {
     Scene tried = session.document.scene;
     if (const Result<void> made = makeEdits(tried, edits); !made)
         return fail(made.error());
+    static_cast<void>(makeEdits(session.document.saved, edits)); // only the user's edits are unsaved work
     ui::submit(session, {.name = N_("Edit by the page"), .edits = edits, .path = *path});
     return Json::object();
 }
@@ -67,6 +68,8 @@ Result<Json> load(ui::Session& session, const Json& message) {
         given->is_string() ? parseSceneLink(given->get<std::string>()) : parseScene(textOf(*given));
     if (!scene)
         return fail(scene.error());
+    session.document.saved = *scene;
+    session.document.images.fillMeshes(session.document.saved);
     ui::submit(session, {.name = N_("Scene of the page"),
                          .edits = {edit::Replace{std::make_shared<const Scene>(*std::move(scene))}}});
     return Json::object();

@@ -373,6 +373,22 @@ TEST_F(BareHostTest, AMessageChangesTheSceneAsAnUndoStep) {
     EXPECT_EQ(scene().view.azimuth, 7);
 }
 
+TEST_F(BareHostTest, OnlyTheUsersEditsAreUnsavedWork) {
+    const auto receive = [this](std::string_view message) {
+        EXPECT_EQ(answerMessage(host.session, message), R"({"texplorer":1})");
+    };
+    receive(R"({"texplorer": 1, "do": "load", "scene": {"textures": [{"pattern": "brick"}]}})");
+    receive(R"({"texplorer": 1, "do": "set", "path": "textures[0].wrapS", "value": "GL_CLAMP"})");
+    host.run({Refresh{}});
+    EXPECT_EQ(texture().wrapS, Wrap::Clamp);
+    EXPECT_FALSE(isDirty(host.session.document));
+    click("textures[0].wrapS=GL_MIRRORED_REPEAT");
+    EXPECT_TRUE(isDirty(host.session.document));
+    receive(R"({"texplorer": 1, "do": "set", "path": "textures[0].wrapT", "value": "GL_CLAMP"})");
+    host.run({Refresh{}});
+    EXPECT_TRUE(isDirty(host.session.document));
+}
+
 TEST_F(BareHostTest, AMessageThatCantBeDoneSaysWhy) {
     const Scene before = scene();
     for (const auto& [message, said] :

@@ -97,12 +97,10 @@ export class Storage {
     #failed; // called with an error, once until storing works again
     #isFailing = false;
     #pages;
-    #keepsWork;
 
-    // `failed` is called with a reason when nothing can be kept. Without `keepsWork`, only what all pages share is kept.
-    constructor(failed, keepsWork = true) {
+    // `failed` is called with a reason when nothing can be kept.
+    constructor(failed) {
         this.#failed = failed;
-        this.#keepsWork = keepsWork;
         for (const folder of [...ROOTS, 'downloads', 'tmp'])
             folderOf(this.root.dir, `/${folder}/`, true) ??
                 this.root.dir.contents.set(folder, new Directory(new Map()));
@@ -162,8 +160,7 @@ export class Storage {
         const pageOf = ({ key }) => key.slice(0, key.indexOf('/'));
         const drafts = files.filter((file) => !SHARED.test(file.path) && !open.has(`${DATABASE}:${pageOf(file)}`) &&
             /\/unsaved\/.*\.scene$/.test(file.path));
-        const offered = this.#keepsWork ? drafts : [];
-        const newest = offered.reduce((best, each) => (best && best.written >= each.written ? best : each), null);
+        const newest = drafts.reduce((best, each) => (best && best.written >= each.written ? best : each), null);
         const waiting = new Set(drafts.map(pageOf)); // of several, the others are offered at later starts
         for (const file of files) {
             const { key, path, bytes, written } = file;
@@ -194,7 +191,7 @@ export class Storage {
         for (const root of ROOTS) {
             for (const [path, file] of filesBelow(this.root.dir.contents.get(root), `/${root}`)) {
                 present.add(path);
-                if (path.endsWith('.lock') || !(this.#keepsWork || SHARED.test(path)) || this.#stored.get(path) === file.data)
+                if (path.endsWith('.lock') || this.#stored.get(path) === file.data)
                     continue;
                 this.#stored.set(path, file.data);
                 changes.push({ path, bytes: file.data.slice() });
