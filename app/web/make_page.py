@@ -40,7 +40,7 @@ def main(program, root, source, page):
     shutil.copy(program, new / "texplorer.wasm")
     shutil.copy(source / "assets/texplorer.svg", new)
     (new / "fonts").mkdir()
-    for name in ("DejaVuSans.ttf", "DejaVuSansMono.ttf"):
+    for name in ("DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSansMono.ttf"):
         subset(FONTS / "dejavu" / name, new / "fonts" / name, f"--unicodes={LETTERS}")
     letters = new / "letters"
     letters.write_text(chinese_letters(source), encoding="utf-8")

@@ -304,6 +304,16 @@ class Files(PageTest):
         self.assertGreater(picture.width, 100)
         self.assertGreater(len(set(picture.convert("RGB").getdata())), 100)
 
+    def test_an_animation_is_recorded_while_the_window_goes_on(self):
+        self.open()
+        self.send(do="set", path="models[0].spin", value="0,90,0")
+        for name in ("menu:File", "menu:Record animation…", "record:GIF", "record:choose",
+                     "textures[0].wrapS=GL_CLAMP"):
+            self.click(name)
+        self.until(lambda: self.parameter("textures[0].wrapS") == "GL_CLAMP")
+        recorded = Image.open(self.downloaded("*.gif"))
+        self.assertEqual((recorded.format, recorded.n_frames), ("GIF", 100))
+
     def test_a_link_leads_back_to_the_scene(self):
         self.open()
         self.send(do="set", path="textures[0].wrapS", value="GL_CLAMP")

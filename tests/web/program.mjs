@@ -14,6 +14,7 @@ const AT_ONCE = 0.015; // seconds: the page does not wait for less
 const FONTS = {
     'DejaVuSans.ttf': '/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf',
     'DejaVuSansMono.ttf': '/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf',
+    'DejaVuSans-Bold.ttf': '/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf',
     'Chinese.ttf': '/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf',
 };
 

@@ -205,3 +205,14 @@ test('a file whose worker ends is named', () => {
     assert.deepEqual(program.saved, []);
     assert.match(program.spoken.status, /no memory/);
 });
+
+test('a sheet is made in a copy of the program', () => {
+    const program = drawn();
+    for (const name of ['menu:File', 'menu:Sheet of variations…', 'sheet:save', 'sheet file:choose'])
+        program.click(name);
+    work(program);
+    assert.match(program.spoken.status, /Written/);
+    const [{ name, bytes }] = program.saved;
+    assert.match(name, /sheet\.png$/);
+    assert.equal(Buffer.from(bytes.subarray(1, 4)).toString(), 'PNG');
+});

@@ -135,6 +135,7 @@ const surface = () => {
 const fonts = {
     'DejaVuSans.ttf': '/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf',
     'DejaVuSansMono.ttf': '/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf',
+    'DejaVuSans-Bold.ttf': '/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf', // of sheets
     'Chinese.ttf': '/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf',
 };
 
@@ -145,7 +146,7 @@ async function writeFont(storage, name) {
 
 async function load(storage, files) {
     const isChinese = navigator.language.startsWith('zh'); // else the program fetches that font when it needs it
-    const needed = Object.keys(fonts).filter((name) => name !== 'Chinese.ttf' || isChinese);
+    const needed = ['DejaVuSans.ttf', 'DejaVuSansMono.ttf', ...(isChinese ? ['Chinese.ttf'] : [])];
     const [module] = await Promise.all([compiled('texplorer.wasm'), storage.open(),
         ...needed.map((name) => writeFont(storage, name))]);
     const log = ConsoleStdout.lineBuffered((line) => console.warn(line));
@@ -182,7 +183,7 @@ async function open() {
         trouble = String(error?.message ?? error);
         if (exports)
             tell();
-    }, !isFramed); // what a page does with a window in it is no one's work
+    });
     const tell = () => {
         if (trouble !== null)
             call('storageFailed', ...copyIn(trouble));
@@ -325,6 +326,7 @@ async function open() {
         canvas.focus();
     document.documentElement.dataset.state = 'ready';
     navigator.serviceWorker?.register('worker.js').catch((error) => console.warn(error));
+    writeFont(storage, 'DejaVuSans-Bold.ttf').catch((error) => console.warn(error));
 }
 
 function events(program) {
