@@ -311,8 +311,8 @@ class Files(PageTest):
                      "textures[0].wrapS=GL_CLAMP"):
             self.click(name)
         self.until(lambda: self.parameter("textures[0].wrapS") == "GL_CLAMP")
-        recorded = Image.open(self.downloaded("*.gif"))
-        self.assertEqual((recorded.format, recorded.n_frames), ("GIF", 100))
+        with Image.open(self.downloaded("*.gif")) as recorded:
+            self.assertEqual((recorded.format, recorded.n_frames), ("GIF", 100))
 
     def test_a_link_leads_back_to_the_scene(self):
         self.open()
