@@ -140,6 +140,7 @@ class PageTest(unittest.TestCase):
 
 class Opening(PageTest):
     def test_the_window_is_drawn_and_nothing_is_complained_of(self):
+        self.browser.complaints()  # of others
         self.open()
         self.assertNotIn("drawn without", self.spoken("#status"))
         self.assertGreater(len(set(self.picture().getdata())), 1000)
