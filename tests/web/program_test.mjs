@@ -386,11 +386,14 @@ const DRAFT = /^\/home\/state\/texplorer\/unsaved\/.*\.scene$/;
 const draftsOf = (program) => [...program.files('/home')].filter(([path]) => DRAFT.test(path));
 
 test('settings and unsaved work are stored', () => {
-    const program = opened();
+    const program = opened({ size: [1280, 800] });
     assert.equal(settingsOf(program).hasSeenTour, true);
     assert.deepEqual(draftsOf(program), []);
-    program.set('textures[0].wrapS', 'GL_CLAMP');
+    program.set('textures[0].wrapT', 'GL_CLAMP'); // by the page around it
     program.draw();
+    program.call('store');
+    assert.deepEqual(draftsOf(program), []);
+    program.click('textures[0].wrapS=GL_CLAMP');
     program.call('store');
     const drafts = draftsOf(program);
     assert.equal(drafts.length, 1);
